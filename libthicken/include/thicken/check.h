@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Decides whether a mesh is a valid input: finite, not empty, edge- and vertex-manifold,
+// consistently oriented, without degenerate or duplicate triangles, free of self-intersection.
+// Exact: every geometric decision is made with exact predicates on the coordinates as given.
+#pragma once
+
+#include <vector>
+
+#include "thicken/error.h"
+#include "thicken/mesh.h"
+#include "thicken/result.h"
+#include "thicken/run_context.h"
+
+namespace thicken {
+
+struct CheckResult {
+  SurfaceFacts facts;           ///< as far as they make sense for what was found
+  std::vector<Defect> defects;  ///< all kinds that were found, at most one entry a kind; empty: valid
+  [[nodiscard]] bool valid() const noexcept { return defects.empty(); }
+};
+
+/// Finds every kind of defect of `mesh` at once. Corners with equal coordinates have to be one
+/// vertex already (weld()). Throws only kCancelled and kMemoryLimit. Cost: O(n log n).
+[[nodiscard]] CheckResult check(const TriangleMesh& mesh, RunContext context = {}, int threads = 0);
+
+/// Makes corners with equal coordinates one vertex (−0 equals 0) and drops unused positions; the
+/// order of first use and of the triangles is kept. Triangles that lose a corner by it stay, as
+/// degenerate triangles that check() names.
+[[nodiscard]] TriangleMesh weld(const TriangleMesh& mesh);
+
+}  // namespace thicken

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Closest points on a triangle surface, with the feature they lie on, and what follows from them:
+// the signed distance of Definition 1 and the membership of Definition 2.
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <optional>
+
+#include "thicken/mesh.h"
+
+namespace thicken {
+
+/// The kind of element of S that a closest point lies on.
+enum class Feature : std::uint8_t { kFace, kEdge, kVertex };
+
+struct ClosestPoint {
+  Vec3 point = Vec3::Zero();  ///< c(p), mm
+  double distance = 0;        ///< ‖p − c‖, mm
+  TriangleId triangle = 0;    ///< a triangle that holds c
+  Feature feature = Feature::kFace;
+  std::uint8_t corner = 0;  ///< kVertex: corner of `triangle`; kEdge: the edge from this corner to the next
+  bool onRim = false;       ///< c ∈ ∂S
+  Vec3 pseudonormal = Vec3::Zero();  ///< unit; angle-weighted at edges and vertices (Bærentzen & Aanæs)
+};
+
+/// A bounding-volume hierarchy over a valid surface. Const queries may run on any number of
+/// threads; the answer to a query does not depend on earlier ones.
+class ClosestPointTree {
+ public:
+  /// `surface` must be welded, edge-manifold and without degenerate triangles. It is copied.
+  explicit ClosestPointTree(const TriangleMesh& surface);
+  ~ClosestPointTree();
+  ClosestPointTree(ClosestPointTree&&) noexcept;
+  ClosestPointTree& operator=(ClosestPointTree&&) noexcept;
+
+  /// The closest point of S to `p`; nullopt when S is farther than `within`. Of equally near
+  /// triangles the one with the lowest id is taken.
+  [[nodiscard]] std::optional<ClosestPoint> closest(
+      const Vec3& p, double within = std::numeric_limits<double>::infinity()) const;
+
+  /// ‖p − c(p)‖ without the feature; starts from the triangle `hint` of a neighbouring query.
+  [[nodiscard]] double distance(const Vec3& p, std::optional<TriangleId> hint = {}) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Definition 1: negative behind S, positive before it, 0 where (p − c)·n = 0.
+[[nodiscard]] double signedDistance(const Vec3& p, const ClosestPoint& c);
+
+/// Definition 2: whether `p` lies in H(S) of thickness `r` on the negative side: c is not on the
+/// rim, p not farther than r and behind S. Points of S itself count as inside.
+[[nodiscard]] bool insideThickened(const Vec3& p, const ClosestPoint& c, double r);
+
+}  // namespace thicken

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Reading and writing mesh files. The format follows from the extension of the path, whatever its
+// case: .stl (binary and ASCII in, binary out), .ply (ASCII and binary, both byte orders, in;
+// binary double out), .obj, .off, and .3mf (out only).
+#pragma once
+
+#include <filesystem>
+
+#include "thicken/mesh.h"
+#include "thicken/options.h"
+
+namespace thicken {
+
+/// Reads the triangles of a file; polygons are triangulated; the mesh is welded. Coordinates keep
+/// the file's precision. Throws Error(kUnreadable) with a sentence that names the file, the place
+/// in it and the reason.
+[[nodiscard]] TriangleMesh readMesh(const std::filesystem::path& path);
+
+/// Writes a mesh whole or not at all: into a temporary file beside `path`, which is renamed when
+/// it is complete. Throws Error(kUnwritable).
+void writeMesh(const std::filesystem::path& path, const TriangleMesh& mesh);
+
+/// Throws Error(kUnreadable / kUnwritable) for a path whose extension is not known.
+void requireReadable(const std::filesystem::path& path);
+void requireWritable(const std::filesystem::path& path);
+
+/// The precision that the format of `path` stores: kSingle for .stl, else kDouble.
+[[nodiscard]] Precision storedPrecision(const std::filesystem::path& path);
+
+}  // namespace thicken

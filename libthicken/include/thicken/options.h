@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// What a user asks for. Lengths are millimetres.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace thicken {
+
+/// The side of S that the material lies on; normals point to the positive side. On `kBoth` the
+/// solid reaches r to either side, so that S is its middle surface and no part of its boundary;
+/// the rim of S stays on the wall.
+enum class Side { kNegative, kPositive, kBoth };
+
+enum class Method {
+  kAuto,         ///< the best that the library has
+  kSweep,        ///< S, its copy at varying depth, walls below the rim
+  kReconstruct,  ///< the paper's field and partial reconstruction (§2 to §4)
+};
+
+/// The precision that the result will be stored in. STL and FreeCAD's mesh kernel hold floats: new
+/// vertices are rounded to float in either case, S itself only where it has to be.
+enum class Precision {
+  kSingle,  ///< S is rounded to float first; the check and the audit see the rounded coordinates
+  kDouble,  ///< S keeps its doubles
+};
+
+struct Options {
+  double thickness = 0;  ///< r > 0, finite
+  Side side = Side::kNegative;
+  Method method = Method::kAuto;
+  Precision precision = Precision::kDouble;
+  std::optional<double> cell;       ///< cell width w of the field, < r/2 (Remark 1)
+  std::optional<int> resolution;    ///< cells along the longest side of the box grown by r
+  std::optional<double> tolerance;  ///< farthest that the shell may be from its definition
+  std::optional<int> smooth;        ///< rounds of shape optimisation (§4.3); 0 to 100
+  bool repair = false;              ///< mend a defective input first and report every change
+  int threads = 0;                  ///< 0: all that the machine has
+};
+
+[[nodiscard]] std::string_view name(Side side) noexcept;
+[[nodiscard]] std::string_view name(Method method) noexcept;
+
+}  // namespace thicken

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Reports as JSON text: one object, documented in docs/report.md.
+#pragma once
+
+#include <string>
+
+#include "thicken/check.h"
+#include "thicken/error.h"
+#include "thicken/result.h"
+
+namespace thicken {
+
+[[nodiscard]] std::string toJson(const Report& report);
+[[nodiscard]] std::string toJson(const Error& error);
+[[nodiscard]] std::string toJson(const CheckResult& result);
+
+}  // namespace thicken

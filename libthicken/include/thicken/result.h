@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// What a run returns: the proved solid and the facts about it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "thicken/mesh.h"
+#include "thicken/options.h"
+
+namespace thicken {
+
+/// The part of the boundary of the solid that a triangle belongs to (paper §4.2, Figure 7).
+enum class Region : std::uint8_t {
+  kOriginal,  ///< S itself
+  kShell,     ///< inner shell: closest point on S is not on its rim (Definition 5b)
+  kWall,      ///< cross-section: closest point on S is on its rim (Definition 5a)
+};
+
+/// What is known of the input.
+struct SurfaceFacts {
+  std::size_t triangles = 0;
+  std::size_t vertices = 0;
+  std::size_t rims = 0;  ///< closed boundary loops
+  std::size_t components = 0;
+  bool closed = false;
+  double area = 0;      ///< mm²
+  double diagonal = 0;  ///< mm, of the bounding box
+  double meanEdge = 0;  ///< mm
+};
+
+/// Distribution of a relative error over the shell's area.
+struct ErrorFacts {
+  double mean = 0, p99 = 0, max = 0;  ///< |distance to S − r| / r
+};
+
+/// Verdicts of the exact audit; every one of them is true in a result that is returned.
+struct AuditFacts {
+  bool closed = false;
+  bool edgeManifold = false;
+  bool vertexManifold = false;
+  bool oriented = false;       ///< consistently, and outward (cavities inward)
+  bool nonDegenerate = false;  ///< no zero-area and no duplicate triangle
+  bool intersectionFree = false;
+  bool positiveVolume = false;
+  bool surfaceKept = false;  ///< every triangle of S bit for bit; on Side::kBoth: its rim
+  [[nodiscard]] bool passed() const noexcept {
+    return closed && edgeManifold && vertexManifold && oriented && nonDegenerate && intersectionFree &&
+           positiveVolume && surfaceKept;
+  }
+};
+
+struct Report {
+  SurfaceFacts input;
+  double thickness = 0;  ///< mm
+  Side side = Side::kNegative;
+  Method method = Method::kAuto;  ///< the one that was used
+  double cell = 0;                ///< mm; 0 where no field was computed
+  int threads = 0;
+  std::vector<std::pair<std::string, double>> seconds;  ///< stage, seconds; in order
+  std::size_t predictedMemory = 0;                      ///< bytes
+  std::size_t peakMemory = 0;                           ///< bytes, of the process
+
+  std::size_t triangles = 0, vertices = 0;
+  std::size_t originalTriangles = 0, shellTriangles = 0, wallTriangles = 0;
+  std::size_t components = 0;         ///< connected components of the boundary of the solid
+  double volume = 0;                  ///< mm³
+  double area = 0;                    ///< mm²
+  double surfaceDeviation = 0;        ///< always 0: S is kept
+  ErrorFacts shellError;              ///< over the whole shell
+  ErrorFacts shellErrorFullDepth;     ///< where the depth reached is full
+  double thinnestWall = 0;            ///< mm, least distance from a shell vertex to S
+  Vec3 thinnestPlace = Vec3::Zero();  ///< mm, where that is
+  double thinShare = 0;               ///< share of the area of S with a depth below 0.9 r
+  std::size_t droppedCopies = 0;      ///< vertices of S without a copy on the shell
+  std::size_t rounds = 0;             ///< rounds of retests that the sweep took
+  AuditFacts audit;
+  std::vector<std::string> warnings;  ///< complete sentences
+};
+
+struct Solid {
+  TriangleMesh mesh;           ///< new vertices hold float values; S comes first, in its own order
+  std::vector<Region> region;  ///< per triangle
+  std::vector<double> depth;   ///< mm per vertex of S: how deep the solid is below it
+  Report report;
+};
+
+}  // namespace thicken

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// A copyable handle to one run: the caller keeps one copy to poll progress and to cancel, the
+// library gets another. The library never calls back into the caller, from no thread.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string_view>
+
+namespace thicken {
+
+enum class Stage {
+  kWaiting,
+  kReading,
+  kChecking,
+  kSweeping,
+  kField,
+  kContouring,
+  kShaping,
+  kJoining,
+  kAuditing,
+  kMeasuring,
+  kWriting,
+  kDone
+};
+
+/// The stage as it is printed: "checking", "sweeping", …
+[[nodiscard]] std::string_view name(Stage stage) noexcept;
+
+class RunContext {
+ public:
+  RunContext();
+
+  /// Asks the run to stop. Any thread, any number of times. The run ends with ErrorCode::kCancelled
+  /// well within a second, unless an error or the result came first.
+  void cancel() noexcept;
+  [[nodiscard]] bool cancelled() const noexcept;
+
+  /// Share of the whole run that is done, in [0, 1]; never goes down during a run.
+  [[nodiscard]] double progress() const noexcept;
+  [[nodiscard]] Stage stage() const noexcept;
+
+  /// Bytes that the run may take; 0: no limit. Set it before the run.
+  void setMemoryLimit(std::size_t bytes) noexcept;
+  [[nodiscard]] std::size_t memoryLimit() const noexcept;
+
+  // --- for the library's own stages ---
+
+  /// Enters a stage; `share` in [0, 1] is the progress at its beginning, `end` at its end.
+  void enter(Stage stage, double share, double end) noexcept;
+  /// Share of the current stage that is done, in [0, 1].
+  void advance(double part) noexcept;
+  /// Throws Error(kCancelled) once cancel() was called.
+  void throwIfCancelled() const;
+  /// Throws Error(kMemoryLimit) when `bytes` exceed the limit; the sentence names both and `remedy`.
+  void reserve(std::size_t bytes, std::string_view remedy) const;
+
+ private:
+  struct State;
+  std::shared_ptr<State> state_;
+};
+
+}  // namespace thicken

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// A bounding-volume hierarchy over the triangles of a mesh that finds pairs of triangles whose
+// boxes overlap. Positions may move between queries (refit); the triangles may not.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "thicken/mesh.h"
+#include "thicken/run_context.h"
+
+namespace thicken::exact {
+
+using TrianglePair = std::pair<TriangleId, TriangleId>;  ///< first < second
+
+class BoxTree {
+ public:
+  /// `active[t] == 0` leaves triangle t out (empty span: all are in).
+  BoxTree(std::span<const Vec3> positions, std::span<const Triangle> triangles, int threads,
+          std::span<const std::uint8_t> active = {});
+  ~BoxTree();
+  BoxTree(BoxTree&&) noexcept;
+  BoxTree& operator=(BoxTree&&) noexcept;
+
+  /// Takes new positions. `moved`: the triangles with a corner that moved (no others may have).
+  void refit(std::span<const Vec3> positions, std::span<const Triangle> triangles,
+             std::span<const TriangleId> moved);
+
+  /// All pairs of triangles that meet (exact::meet), sorted. `fixed[t] != 0` marks triangles known
+  /// not to meet one another, such as those of a checked S: pairs of two fixed ones are skipped.
+  /// Degenerate triangles are paired with nothing. Stops early (with at least one pair) once more
+  /// than `limit` pairs are found; 0: no limit. Same answer for any number of threads when not limited.
+  [[nodiscard]] std::vector<TrianglePair> meetingPairs(std::span<const Vec3> positions,
+                                                       std::span<const Triangle> triangles,
+                                                       std::span<const std::uint8_t> fixed,
+                                                       const RunContext& context, int threads,
+                                                       std::size_t limit = 0) const;
+
+  /// The pairs of meetingPairs() in which at least one triangle is in `moved`.
+  [[nodiscard]] std::vector<TrianglePair> meetingPairsWith(std::span<const TriangleId> moved,
+                                                           std::span<const Vec3> positions,
+                                                           std::span<const Triangle> triangles,
+                                                           std::span<const std::uint8_t> fixed,
+                                                           const RunContext& context, int threads) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace thicken::exact
