@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "thicken/closest_point.h"
+
+#include "bvh/distance_tree.h"
+#include "mesh/normals.h"
+#include "mesh/topology.h"
+
+#include <cmath>
+
+namespace thicken {
+
+struct ClosestPointTree::Impl {
+  explicit Impl(const TriangleMesh& s)
+      : triangles(s.triangles),
+        tree(s.positions, s.triangles),
+        across(neighbours(s.positions.size(), s.triangles)),
+        faceNormal(faceNormals(s.positions, s.triangles)),
+        vertexNormal(vertexNormals(s.positions, s.triangles, faceNormal)),
+        rimVertex(s.positions.size(), 0) {
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+      for (int k = 0; k < 3; ++k)
+        if (across[t][k] == kNone) rimVertex[triangles[t][k]] = rimVertex[triangles[t][(k + 1) % 3]] = 1;
+  }
+
+  std::vector<Triangle> triangles;
+  DistanceTree tree;
+  std::vector<std::array<TriangleId, 3>> across;
+  std::vector<Vec3> faceNormal;
+  std::vector<Vec3> vertexNormal;
+  std::vector<std::uint8_t> rimVertex;
+};
+
+ClosestPointTree::ClosestPointTree(const TriangleMesh& surface) : impl_(std::make_unique<Impl>(surface)) {}
+ClosestPointTree::~ClosestPointTree() = default;
+ClosestPointTree::ClosestPointTree(ClosestPointTree&&) noexcept = default;
+ClosestPointTree& ClosestPointTree::operator=(ClosestPointTree&&) noexcept = default;
+
+std::optional<ClosestPoint> ClosestPointTree::closest(const Vec3& p, double within) const {
+  DistanceTree::Hit hit{{Vec3::Zero(), within * within, Feature::kFace, 0}, kNone};
+  if (!impl_->tree.nearest(p, hit)) return std::nullopt;
+  const Impl& s = *impl_;
+  const TriangleId t = hit.triangle;
+  const std::uint8_t k = hit.closest.corner;
+  ClosestPoint c;
+  c.point = hit.closest.point;
+  c.distance = std::sqrt(hit.closest.squaredDistance);
+  c.triangle = t;
+  c.feature = hit.closest.feature;
+  c.corner = k;
+  switch (c.feature) {
+    case Feature::kFace:
+      c.pseudonormal = s.faceNormal[t];
+      break;
+    case Feature::kEdge: {
+      const TriangleId other = s.across[t][k];
+      c.onRim = other == kNone;
+      c.pseudonormal = c.onRim ? s.faceNormal[t] : (s.faceNormal[t] + s.faceNormal[other]).stableNormalized();
+      break;
+    }
+    case Feature::kVertex:
+      c.onRim = s.rimVertex[s.triangles[t][k]] != 0;
+      c.pseudonormal = s.vertexNormal[s.triangles[t][k]];
+      break;
+  }
+  return c;
+}
+
+double ClosestPointTree::distance(const Vec3& p, std::optional<TriangleId> hint) const {
+  DistanceTree::Hit hit{{Vec3::Zero(), std::numeric_limits<double>::infinity(), Feature::kFace, 0}, kNone};
+  if (hint) hit = {impl_->tree.measure(p, *hint), *hint};
+  impl_->tree.nearest(p, hit);
+  return std::sqrt(hit.closest.squaredDistance);
+}
+
+double signedDistance(const Vec3& p, const ClosestPoint& c) {
+  const double side = (p - c.point).dot(c.pseudonormal);
+  return side > 0 ? c.distance : side < 0 ? -c.distance : 0;
+}
+
+bool insideThickened(const Vec3& p, const ClosestPoint& c, double r) {
+  if (c.distance == 0) return true;
+  return !c.onRim && c.distance <= r && (p - c.point).dot(c.pseudonormal) < 0;
+}
+
+}  // namespace thicken

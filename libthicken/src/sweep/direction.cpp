@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sweep/direction.h"
+
+#include "mesh/normals.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace thicken {
+
+namespace {
+
+// Below this smallest n·m/|m| the even direction gives way to the safest one.
+constexpr double kSafeCosine = 0.35;
+// A mitre longer than this would leave the definition by more than it gains.
+constexpr double kLongestMitre = 1.5;
+// Pull towards the mean normal, against the noise of nearly flat fans.
+constexpr double kDamping = 0.05;
+constexpr double kRimWeight = 0.5;
+
+double smallestCosine(const Vec3& m, std::span<const Vec3> normals) {
+  double s = std::numeric_limits<double>::infinity();
+  for (const Vec3& n : normals) s = std::min(s, n.dot(m));
+  return s / m.norm();
+}
+
+// The point of least norm of the affine hull of `count` points, if it lies in their convex hull.
+bool affineMinimum(const Vec3* const* p, int count, Vec3& x) {
+  if (count == 1) {
+    x = *p[0];
+    return true;
+  }
+  if (count == 2) {
+    const Vec3 d = *p[1] - *p[0];
+    const double t = -p[0]->dot(d) / d.squaredNorm();
+    x = *p[0] + t * d;
+    return t > 0 && t < 1;
+  }
+  const Vec3 u = *p[1] - *p[0], v = *p[2] - *p[0];
+  const double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), pu = -p[0]->dot(u), pv = -p[0]->dot(v);
+  const double det = uu * vv - uv * uv;
+  if (!(det > 1e-14 * uu * vv)) return false;
+  const double s = (pu * vv - pv * uv) / det, t = (pv * uu - pu * uv) / det;
+  x = *p[0] + s * u + t * v;
+  return s > 0 && t > 0 && s + t < 1;
+}
+
+// Reduces a simplex of up to four points to the face that holds its point of least norm.
+Vec3 reduceSimplex(std::array<Vec3, 4>& simplex, int& size) {
+  Vec3 best = Vec3::Zero();
+  double bestNorm = std::numeric_limits<double>::infinity();
+  std::array<int, 3> bestFace{};
+  int bestCount = 0;
+  for (int mask = 1; mask < (1 << size); ++mask) {
+    const Vec3* p[4];
+    std::array<int, 3> face{};
+    int count = 0;
+    for (int i = 0; i < size; ++i) {
+      if (!(mask & (1 << i))) continue;
+      if (count < 3) {
+        face[count] = i;
+        p[count] = &simplex[i];
+      }
+      ++count;
+    }
+    if (count > 3) continue;
+    Vec3 x;
+    if (!affineMinimum(p, count, x) || x.squaredNorm() >= bestNorm) continue;
+    best = x;
+    bestNorm = x.squaredNorm();
+    bestFace = face;
+    bestCount = count;
+  }
+  std::array<Vec3, 4> kept;
+  for (int i = 0; i < bestCount; ++i) kept[i] = simplex[bestFace[i]];
+  simplex = kept;
+  size = bestCount;
+  return best;
+}
+
+// Whether the origin lies in the tetrahedron.
+bool holdsOrigin(const std::array<Vec3, 4>& s) {
+  for (int k = 0; k < 4; ++k) {
+    const Vec3 &a = s[(k + 1) % 4], &b = s[(k + 2) % 4], &c = s[(k + 3) % 4];
+    const Vec3 n = (b - a).cross(c - a);
+    if (n.dot(s[k] - a) * n.dot(-a) <= 0) return false;
+  }
+  return true;
+}
+
+// Least squares over Σ angle·(n·m − 1)² + the rim planes' Σ (c·m)², damped towards the mean normal.
+class EvenDirection {
+ public:
+  void addFace(const Vec3& n, double angle) {
+    a_ += angle * n * n.transpose();
+    b_ += angle * n;
+    weight_ += angle;
+  }
+  void addRim(const Vec3& conormal) { rim_ += conormal * conormal.transpose(); }
+  [[nodiscard]] Vec3 solve() const {
+    const Vec3 mean = b_.stableNormalized();
+    const Eigen::Matrix3d a = a_ / weight_ + kRimWeight * rim_ + kDamping * Eigen::Matrix3d::Identity();
+    return a.ldlt().solve(b_ / weight_ + kDamping * mean);
+  }
+
+ private:
+  Eigen::Matrix3d a_ = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d rim_ = Eigen::Matrix3d::Zero();
+  Vec3 b_ = Vec3::Zero();
+  double weight_ = 0;
+};
+
+}  // namespace
+
+Vec3 minNormPoint(std::span<const Vec3> points) {
+  std::array<Vec3, 4> simplex;
+  simplex[0] = points[0];
+  int size = 1;
+  Vec3 x = points[0];
+  // Each step lowers the norm; the bound only guards against rounding.
+  for (int step = 0; step < 100; ++step) {
+    const Vec3* support = &points[0];
+    for (const Vec3& p : points)
+      if (p.dot(x) < support->dot(x)) support = &p;
+    if (support->dot(x) >= x.squaredNorm() - 1e-12) break;
+    simplex[size++] = *support;
+    if (size == 4 && holdsOrigin(simplex)) return Vec3::Zero();
+    const Vec3 next = reduceSimplex(simplex, size);
+    if (next.squaredNorm() >= x.squaredNorm()) break;
+    x = next;
+  }
+  return x;
+}
+
+std::vector<SweepDirection> sweepDirections(const TriangleMesh& surface, std::span<const Vec3> faceNormal,
+                                            const VertexTriangles& around, const Rim& rim) {
+  const std::size_t n = surface.positions.size();
+  std::vector<EvenDirection> even(n);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k)
+      even[surface.triangles[t][k]].addFace(faceNormal[t], cornerAngle(surface.positions, surface.triangles[t], k));
+  for (const RimEdge& e : rim.edges) {
+    const Vec3 along = (surface.positions[e.to] - surface.positions[e.from]).stableNormalized();
+    const Vec3 conormal = along.cross(faceNormal[e.triangle]);
+    even[e.from].addRim(conormal);
+    even[e.to].addRim(conormal);
+  }
+  std::vector<SweepDirection> direction(n);
+  std::vector<Vec3> normals;
+  for (std::size_t v = 0; v < n; ++v) {
+    const auto fan = around.of(static_cast<VertexId>(v));
+    if (fan.empty()) continue;
+    normals.clear();
+    for (const TriangleId t : fan) normals.push_back(faceNormal[t]);
+    Vec3 m = even[v].solve();
+    double safety = smallestCosine(m, normals);
+    if (!(safety >= kSafeCosine)) {
+      const Vec3 hull = minNormPoint(normals);
+      const double least = hull.norm();  // the smallest n·m over all unit m, at m = hull/|hull|
+      if (least > 1e-6) {
+        m = hull / (least * least);  // n·m ≥ 1 everywhere
+        safety = smallestCosine(m, normals);
+      } else {
+        safety = 0;
+      }
+    }
+    if (m.norm() > kLongestMitre) m *= kLongestMitre / m.norm();
+    direction[v] = {m, safety};
+  }
+  return direction;
+}
+
+}  // namespace thicken
