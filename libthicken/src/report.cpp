@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// The fields are documented in docs/report.md; a test compares the two.
+#include "thicken/report.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+
+#include "thicken/version.h"
+
+namespace thicken {
+namespace {
+
+// Keeps the order in which fields are added: a report is read by people too.
+using Json = nlohmann::ordered_json;
+
+constexpr double kCubicMillimetresPerMillilitre = 1000;
+
+Json toPlace(const Vec3& p) {
+  return Json::array({p.x(), p.y(), p.z()});
+}
+
+Json surfaceFacts(const SurfaceFacts& facts) {
+  return {{"triangles", facts.triangles},   {"vertices", facts.vertices},    {"rims", facts.rims},
+          {"components", facts.components}, {"closed", facts.closed},        {"area_mm2", facts.area},
+          {"diagonal_mm", facts.diagonal},  {"mean_edge_mm", facts.meanEdge}};
+}
+
+Json parameters(const Report& report) {
+  Json json{{"thickness_mm", report.thickness},
+            {"side", name(report.side)},
+            {"method", name(report.method)},
+            {"cell_mm", nullptr},
+            {"threads", report.threads}};
+  if (report.cell > 0) json["cell_mm"] = report.cell;
+  return json;
+}
+
+Json stages(const std::vector<std::pair<std::string, double>>& seconds) {
+  Json json = Json::object();
+  double total = 0;
+  for (const auto& [stage, time] : seconds) {
+    json[stage] = json.value(stage, 0.0) + time;
+    total += time;
+  }
+  json["total"] = total;
+  return json;
+}
+
+Json outputFacts(const Report& report) {
+  return {{"triangles", report.triangles},
+          {"vertices", report.vertices},
+          {"components", report.components},
+          {"original_triangles", report.originalTriangles},
+          {"shell_triangles", report.shellTriangles},
+          {"wall_triangles", report.wallTriangles},
+          {"volume_mm3", report.volume},
+          {"volume_ml", report.volume / kCubicMillimetresPerMillilitre},
+          {"area_mm2", report.area},
+          {"dropped_copies", report.droppedCopies},
+          {"rounds", report.rounds}};
+}
+
+Json errorFacts(const ErrorFacts& facts) {
+  return {{"mean", facts.mean}, {"p99", facts.p99}, {"max", facts.max}};
+}
+
+Json thinnestWall(const Report& report) {
+  return {
+      {"mm", report.thinnestWall},
+      {"share_of_thickness", report.thickness > 0 ? Json(report.thinnestWall / report.thickness) : Json()},
+      {"place_mm", toPlace(report.thinnestPlace)}};
+}
+
+Json verdicts(const AuditFacts& audit) {
+  return {{"passed", audit.passed()},
+          {"closed", audit.closed},
+          {"edge_manifold", audit.edgeManifold},
+          {"vertex_manifold", audit.vertexManifold},
+          {"oriented", audit.oriented},
+          {"non_degenerate", audit.nonDegenerate},
+          {"intersection_free", audit.intersectionFree},
+          {"positive_volume", audit.positiveVolume},
+          {"surface_kept", audit.surfaceKept}};
+}
+
+Json defectList(const std::vector<Defect>& defects) {
+  Json list = Json::array();
+  for (const Defect& defect : defects) {
+    list.push_back({{"code", name(defect.code)},
+                    {"sentence", defect.sentence},
+                    {"count", defect.count},
+                    {"place_mm", toPlace(defect.place)},
+                    {"vertices", defect.vertices},
+                    {"edges", defect.edges},
+                    {"triangles", defect.triangles}});
+  }
+  return list;
+}
+
+Json head(const char* status) {
+  return {{"version", kVersion}, {"status", status}};
+}
+
+// A sentence may quote a file name that is no UTF-8: JSON has a replacement for that, and a report
+// must not fail over it. Numbers that are not finite become null.
+std::string text(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+std::string toJson(const Report& report) {
+  Json json = head("ok");
+  json["input"] = surfaceFacts(report.input);
+  json["parameters"] = parameters(report);
+  json["seconds"] = stages(report.seconds);
+  json["memory"] = {{"predicted_bytes", report.predictedMemory}, {"peak_bytes", report.peakMemory}};
+  json["output"] = outputFacts(report);
+  json["surface_deviation_mm"] = report.surfaceDeviation;
+  json["shell_error"] = errorFacts(report.shellError);
+  json["shell_error_full_depth"] = errorFacts(report.shellErrorFullDepth);
+  json["thinnest_wall"] = thinnestWall(report);
+  json["thin_share"] = report.thinShare;
+  json["audit"] = verdicts(report.audit);
+  json["warnings"] = report.warnings;
+  return text(json);
+}
+
+std::string toJson(const Error& error) {
+  Json json = head("refused");
+  json["code"] = name(error.code());
+  json["exit_status"] = exitStatus(error.code());
+  json["sentence"] = error.what();
+  json["defects"] = defectList(error.defects());
+  return text(json);
+}
+
+std::string toJson(const CheckResult& result) {
+  Json json = head(result.valid() ? "ok" : "refused");
+  if (!result.valid()) {
+    const Defect& first = result.defects.front();
+    json["code"] = name(first.code);
+    json["exit_status"] = exitStatus(first.code);
+    json["sentence"] = first.sentence;
+  }
+  json["input"] = surfaceFacts(result.facts);
+  json["defects"] = defectList(result.defects);
+  return text(json);
+}
+
+}  // namespace thicken

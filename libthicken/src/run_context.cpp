@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "thicken/run_context.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <string>
+
+#include "thicken/error.h"
+
+namespace thicken {
+
+// Each value stands for itself and nothing is published through it: relaxed order is enough. The
+// program cancels from a signal handler, which only lock-free atomics allow.
+struct RunContext::State {
+  std::atomic<bool> cancelled{false};
+  std::atomic<double> progress{0};
+  std::atomic<double> stageBegin{0};
+  std::atomic<double> stageEnd{0};
+  std::atomic<Stage> stage{Stage::kWaiting};
+  std::atomic<std::size_t> memoryLimit{0};
+
+  static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<double>::is_always_lock_free);
+
+  void raiseProgress(double share) noexcept {
+    double seen = progress.load(std::memory_order_relaxed);
+    while (share > seen && !progress.compare_exchange_weak(seen, share, std::memory_order_relaxed)) {
+    }
+  }
+};
+
+namespace {
+
+// A NaN counts as nothing done.
+double clampShare(double share) noexcept {
+  return std::isnan(share) ? 0 : std::clamp(share, 0.0, 1.0);
+}
+
+std::string mebibytes(std::size_t bytes) {
+  constexpr std::size_t kMebibyte = std::size_t{1} << 20;
+  return std::to_string(bytes / kMebibyte + (bytes % kMebibyte != 0)) + " MiB";
+}
+
+}  // namespace
+
+std::string_view name(Stage stage) noexcept {
+  switch (stage) {
+    case Stage::kWaiting:
+      return "waiting";
+    case Stage::kReading:
+      return "reading";
+    case Stage::kChecking:
+      return "checking";
+    case Stage::kSweeping:
+      return "sweeping";
+    case Stage::kField:
+      return "field";
+    case Stage::kContouring:
+      return "contouring";
+    case Stage::kShaping:
+      return "shaping";
+    case Stage::kJoining:
+      return "joining";
+    case Stage::kAuditing:
+      return "auditing";
+    case Stage::kMeasuring:
+      return "measuring";
+    case Stage::kWriting:
+      return "writing";
+    case Stage::kDone:
+      return "done";
+  }
+  return "unknown";
+}
+
+RunContext::RunContext() : state_(std::make_shared<State>()) {}
+
+void RunContext::cancel() noexcept {
+  state_->cancelled.store(true, std::memory_order_relaxed);
+}
+
+bool RunContext::cancelled() const noexcept {
+  return state_->cancelled.load(std::memory_order_relaxed);
+}
+
+double RunContext::progress() const noexcept {
+  return state_->progress.load(std::memory_order_relaxed);
+}
+
+Stage RunContext::stage() const noexcept {
+  return state_->stage.load(std::memory_order_relaxed);
+}
+
+void RunContext::setMemoryLimit(std::size_t bytes) noexcept {
+  state_->memoryLimit.store(bytes, std::memory_order_relaxed);
+}
+
+std::size_t RunContext::memoryLimit() const noexcept {
+  return state_->memoryLimit.load(std::memory_order_relaxed);
+}
+
+void RunContext::enter(Stage stage, double share, double end) noexcept {
+  const double begin = clampShare(share);
+  state_->stage.store(stage, std::memory_order_relaxed);
+  state_->stageBegin.store(begin, std::memory_order_relaxed);
+  state_->stageEnd.store(std::max(begin, clampShare(end)), std::memory_order_relaxed);
+  state_->raiseProgress(begin);
+}
+
+void RunContext::advance(double part) noexcept {
+  const double begin = state_->stageBegin.load(std::memory_order_relaxed);
+  const double end = state_->stageEnd.load(std::memory_order_relaxed);
+  state_->raiseProgress(std::min(end, begin + clampShare(part) * (end - begin)));
+}
+
+void RunContext::throwIfCancelled() const {
+  if (cancelled()) throw Error(ErrorCode::kCancelled, "The run was cancelled; nothing was written.");
+}
+
+void RunContext::reserve(std::size_t bytes, std::string_view remedy) const {
+  const std::size_t limit = memoryLimit();
+  if (limit == 0 || bytes <= limit) return;
+  std::string sentence = "The run would need about " + mebibytes(bytes) +
+                         " of memory, more than the limit of " + mebibytes(limit);
+  sentence += remedy.empty() ? "." : ": " + std::string(remedy);
+  throw Error(ErrorCode::kMemoryLimit, sentence);
+}
+
+}  // namespace thicken
