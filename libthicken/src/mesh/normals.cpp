@@ -2,7 +2,6 @@
 #include "mesh/normals.h"
 
 #include <Eigen/Geometry>
-
 #include <cmath>
 
 namespace thicken {

@@ -3,19 +3,21 @@
 // Normals of faces and angle-weighted pseudonormals of vertices (Bærentzen & Aanæs 2005).
 #pragma once
 
-#include "thicken/mesh.h"
-
 #include <span>
 #include <vector>
+
+#include "thicken/mesh.h"
 
 namespace thicken {
 
 /// Unit normal of every triangle.
-[[nodiscard]] std::vector<Vec3> faceNormals(std::span<const Vec3> positions, std::span<const Triangle> triangles);
+[[nodiscard]] std::vector<Vec3> faceNormals(std::span<const Vec3> positions,
+                                            std::span<const Triangle> triangles);
 
 /// Unit angle-weighted normal of every vertex; zero where no triangle uses it or where the
 /// normals cancel.
-[[nodiscard]] std::vector<Vec3> vertexNormals(std::span<const Vec3> positions, std::span<const Triangle> triangles,
+[[nodiscard]] std::vector<Vec3> vertexNormals(std::span<const Vec3> positions,
+                                              std::span<const Triangle> triangles,
                                               std::span<const Vec3> faceNormal);
 
 /// Angle of triangle `t` at corner `k`, radians.
