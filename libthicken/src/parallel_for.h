@@ -4,7 +4,9 @@
 // parallel region.
 #pragma once
 
+#ifdef _OPENMP
 #include <omp.h>
+#endif
 
 #include <cstddef>
 #include <exception>

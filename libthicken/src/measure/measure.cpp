@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "measure/measure.h"
+
+#include "mesh/topology.h"
+#include "parallel_for.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace thicken {
+
+namespace {
+
+double areaOf(std::span<const Vec3> positions, const Triangle& t) {
+  return (positions[t[1]] - positions[t[0]]).cross(positions[t[2]] - positions[t[0]]).norm() / 2;
+}
+
+struct Sample {
+  double error = -1;  // relative; negative: on the wall
+  double weight = 0;  // mm²
+};
+
+ErrorFacts summary(std::vector<Sample> samples) {
+  std::erase_if(samples, [](const Sample& s) { return s.error < 0; });
+  std::sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) { return a.error < b.error; });
+  ErrorFacts facts;
+  double total = 0;
+  for (const Sample& s : samples) {
+    total += s.weight;
+    facts.mean += s.weight * s.error;
+  }
+  if (samples.empty() || total <= 0) return facts;
+  facts.mean /= total;
+  facts.max = samples.back().error;
+  double sum = 0;
+  for (const Sample& s : samples) {
+    sum += s.weight;
+    facts.p99 = s.error;
+    if (sum >= 0.99 * total) break;
+  }
+  return facts;
+}
+
+// Four points a triangle, each for a quarter of its area: the middle and the middles of the three
+// corner pieces.
+constexpr double kSamplePoints[4][3] = {
+    {1. / 3, 1. / 3, 1. / 3}, {2. / 3, 1. / 6, 1. / 6}, {1. / 6, 2. / 3, 1. / 6}, {1. / 6, 1. / 6, 2. / 3}};
+
+void measureShell(Solid& solid, const ClosestPointTree& tree, std::span<const std::uint8_t> full,
+                  const RunContext& context, int threads) {
+  const double r = solid.report.thickness;
+  std::vector<TriangleId> shell;
+  for (TriangleId t = 0; t < solid.region.size(); ++t)
+    if (solid.region[t] == Region::kShell) shell.push_back(t);
+  std::vector<Sample> samples(4 * shell.size());
+  parallelFor(shell.size(), threads, context, 512, [&](std::size_t i) {
+    const Triangle& t = solid.mesh.triangles[shell[i]];
+    const double area = areaOf(solid.mesh.positions, t);
+    for (int k = 0; k < 4; ++k) {
+      const auto& w = kSamplePoints[k];
+      const Vec3 p = w[0] * solid.mesh.positions[t[0]] + w[1] * solid.mesh.positions[t[1]] +
+                     w[2] * solid.mesh.positions[t[2]];
+      const auto c = tree.closest(p);
+      samples[4 * i + static_cast<std::size_t>(k)] = {c->onRim ? -1 : std::abs(c->distance / r - 1), area / 4};
+    }
+  });
+  std::vector<Sample> fullSamples;
+  for (std::size_t i = 0; i < shell.size(); ++i)
+    if (full[shell[i]]) fullSamples.insert(fullSamples.end(), &samples[4 * i], &samples[4 * i] + 4);
+  solid.report.shellError = summary(std::move(samples));
+  solid.report.shellErrorFullDepth = summary(std::move(fullSamples));
+}
+
+// Distance of every shell vertex from S; the least of them is the thinnest wall.
+void measureThinnest(Solid& solid, const ClosestPointTree& tree, const RunContext& context, int threads) {
+  std::vector<std::uint8_t> onShell(solid.mesh.positions.size(), 0);
+  for (std::size_t t = 0; t < solid.region.size(); ++t)
+    if (solid.region[t] == Region::kShell)
+      for (const VertexId v : solid.mesh.triangles[t]) onShell[v] = 1;
+  std::vector<double> distance(onShell.size(), std::numeric_limits<double>::infinity());
+  parallelFor(onShell.size(), threads, context, 512, [&](std::size_t v) {
+    if (onShell[v]) distance[v] = tree.distance(solid.mesh.positions[v]);
+  });
+  const auto least = std::min_element(distance.begin(), distance.end());
+  if (least == distance.end() || !std::isfinite(*least)) return;
+  solid.report.thinnestWall = *least;
+  solid.report.thinnestPlace = solid.mesh.positions[static_cast<std::size_t>(least - distance.begin())];
+}
+
+// Share of S's area where the solid is less than 0.9 r deep.
+double thinShare(const Solid& solid, const TriangleMesh& surface) {
+  constexpr double kThin = 0.9;
+  double thin = 0, total = 0;
+  for (const Triangle& t : surface.triangles) {
+    const double area = areaOf(surface.positions, t);
+    const double depth = (solid.depth[t[0]] + solid.depth[t[1]] + solid.depth[t[2]]) / 3;
+    total += area;
+    if (depth < kThin * solid.report.thickness) thin += area;
+  }
+  return total > 0 ? thin / total : 0;
+}
+
+}  // namespace
+
+double volumeOf(const TriangleMesh& mesh) {
+  if (mesh.triangles.empty()) return 0;
+  const Vec3 origin = mesh.positions[mesh.triangles[0][0]];
+  double volume = 0;
+  for (const auto& [a, b, c] : mesh.triangles)
+    volume += (mesh.positions[a] - origin).cross(mesh.positions[b] - origin).dot(mesh.positions[c] - origin) / 6;
+  return volume;
+}
+
+double areaOf(const TriangleMesh& mesh) {
+  double area = 0;
+  for (const Triangle& t : mesh.triangles) area += areaOf(mesh.positions, t);
+  return area;
+}
+
+void measure(Solid& solid, const TriangleMesh& surface, const ClosestPointTree& tree,
+             std::span<const std::uint8_t> full, const RunContext& context, int threads) {
+  Report& report = solid.report;
+  report.triangles = solid.mesh.triangles.size();
+  report.vertices = solid.mesh.positions.size();
+  for (const Region region : solid.region)
+    ++(region == Region::kOriginal ? report.originalTriangles
+                                   : region == Region::kShell ? report.shellTriangles : report.wallTriangles);
+  report.components = componentsOf(solid.mesh.positions.size(), solid.mesh.triangles).count;
+  report.volume = volumeOf(solid.mesh);
+  report.area = areaOf(solid.mesh);
+  measureShell(solid, tree, full, context, threads);
+  measureThinnest(solid, tree, context, threads);
+  report.thinShare = thinShare(solid, surface);
+}
+
+}  // namespace thicken

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// The facts about a finished solid: counts, volume, area, how far the shell is from its definition
+// and how thin the solid gets.
+#pragma once
+
+#include "thicken/closest_point.h"
+#include "thicken/result.h"
+#include "thicken/run_context.h"
+
+#include <cstdint>
+#include <span>
+
+namespace thicken {
+
+/// Signed volume (mm³) of a closed mesh, summed about its first vertex to keep digits.
+[[nodiscard]] double volumeOf(const TriangleMesh& mesh);
+/// Area (mm²).
+[[nodiscard]] double areaOf(const TriangleMesh& mesh);
+
+/// Fills the output part of `solid.report` and `solid.depth`. `full[t]` marks the shell triangles at
+/// their full depth. `surface` is S as it was thickened, `tree` its tree. Shell points whose closest
+/// point lies on the rim belong to the wall and do not count as shell error (paper §4.2, Remark 4).
+void measure(Solid& solid, const TriangleMesh& surface, const ClosestPointTree& tree,
+             std::span<const std::uint8_t> full, const RunContext& context, int threads);
+
+}  // namespace thicken

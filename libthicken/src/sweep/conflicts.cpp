@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sweep/conflicts.h"
+
+#include "exact/predicates.h"
+
+#include <algorithm>
+
+namespace thicken {
+
+void sortUnique(std::vector<std::uint32_t>& ids) {
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+}
+
+ConflictTester::ConflictTester(const SweptMesh& mesh, const RunContext& context, int threads)
+    : mesh_(mesh),
+      context_(context),
+      threads_(threads),
+      around_(vertexTriangles(mesh.positions.size(), mesh.triangles)),
+      mark_(mesh.triangles.size(), 0),
+      tree_(mesh.positions, mesh.triangles, threads) {}
+
+bool ConflictTester::isFlat(TriangleId t) const {
+  const auto& [a, b, c] = mesh_.triangles[t];
+  return exact::collinear(mesh_.positions[a], mesh_.positions[b], mesh_.positions[c]);
+}
+
+std::vector<TriangleId> ConflictTester::trianglesOf(std::span<const std::uint32_t> copies) {
+  std::vector<TriangleId> moved;
+  for (const std::uint32_t i : copies)
+    for (const TriangleId t : around_.of(mesh_.vertexOf(i))) {
+      if (mark_[t]) continue;
+      mark_[t] = 1;
+      moved.push_back(t);
+    }
+  for (const TriangleId t : moved) mark_[t] = 0;
+  std::sort(moved.begin(), moved.end());
+  return moved;
+}
+
+Conflicts ConflictTester::all() {
+  Conflicts c;
+  c.pairs = tree_.meetingPairs(mesh_.positions, mesh_.triangles, mesh_.fixed, context_, threads_);
+  for (auto t = static_cast<TriangleId>(mesh_.surfaceTriangles); t < mesh_.triangles.size(); ++t)
+    if (isFlat(t)) c.flat.push_back(t);
+  return c;
+}
+
+Conflicts ConflictTester::after(std::span<const std::uint32_t> moved, const Conflicts& before) {
+  const std::vector<TriangleId> triangles = trianglesOf(moved);
+  tree_.refit(mesh_.positions, mesh_.triangles, triangles);
+  Conflicts c;
+  c.pairs = tree_.meetingPairsWith(triangles, mesh_.positions, mesh_.triangles, mesh_.fixed, context_, threads_);
+  const auto stands = [&](TriangleId t) { return !std::binary_search(triangles.begin(), triangles.end(), t); };
+  for (const auto& p : before.pairs)
+    if (stands(p.first) && stands(p.second)) c.pairs.push_back(p);
+  for (const TriangleId t : before.flat)
+    if (stands(t)) c.flat.push_back(t);
+  for (const TriangleId t : triangles)
+    if (isFlat(t)) c.flat.push_back(t);
+  return c;
+}
+
+}  // namespace thicken

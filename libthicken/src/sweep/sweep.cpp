@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sweep/sweep.h"
+
+#include "mesh/normals.h"
+#include "mesh/topology.h"
+#include "parallel_for.h"
+#include "sweep/direction.h"
+#include "sweep/initial_depth.h"
+#include "sweep/refill.h"
+#include "sweep/retreat.h"
+#include "sweep/swept_mesh.h"
+#include "thicken/error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace thicken {
+
+namespace {
+
+// Below this smallest n·m/|m| no depth that a float can tell from 0 keeps a copy behind all its
+// triangles.
+constexpr double kLeastSafety = 0.02;
+// A copy in the way of its neighbours is dropped; holes that grow this often do not end.
+constexpr int kMostRefills = 12;
+
+[[noreturn]] void throwNoSolid(const SweptMesh& mesh, const std::vector<std::uint32_t>& stuck) {
+  const VertexId v = mesh.copies[stuck.front()].base;
+  const Vec3& p = mesh.positions[v];
+  Defect d;
+  d.code = ErrorCode::kNoSolid;
+  for (const std::uint32_t i : stuck) d.vertices.push_back(mesh.copies[i].base);
+  sortUnique(d.vertices);
+  d.count = d.vertices.size();
+  d.vertices.resize(std::min(d.vertices.size(), Defect::kMaxListed));
+  d.place = p;
+  d.sentence = fmt::format(
+      "no solid could be made below {} vertices, the first of them vertex {} at ({:.6g}, {:.6g}, {:.6g}): the surface is "
+      "folded too sharply there for the precision of its coordinates; smooth or remesh it around that place",
+      d.count, v, p.x(), p.y(), p.z());
+  const std::string sentence = d.sentence;
+  throw Error(ErrorCode::kNoSolid, sentence, {std::move(d)});
+}
+
+void dropOrThrow(SweptMesh& mesh, const std::vector<std::uint32_t>& copies) {
+  if (!copies.empty() && !dropAndRefill(mesh, copies)) throwNoSolid(mesh, copies);
+}
+
+std::vector<std::uint32_t> copiesWithoutDirection(const SweptMesh& mesh) {
+  std::vector<std::uint32_t> ids;
+  for (std::uint32_t i = 0; i < mesh.copies.size(); ++i)
+    if (mesh.copies[i].safety < kLeastSafety) ids.push_back(i);
+  return ids;
+}
+
+// Draws back, drops what stays in the way, and lets the rest advance again; returns the rounds.
+std::size_t settle(SweptMesh& mesh, const RunContext& context, int threads) {
+  std::size_t rounds = 0;
+  std::vector<double> goal(mesh.copies.size());
+  for (int refills = 0;; ++refills) {
+    const CopyGraph graph = copyGraph(mesh);
+    limitSlope(mesh, graph, {});
+    if (refills == 0)
+      for (std::size_t i = 0; i < goal.size(); ++i) goal[i] = mesh.copies[i].depth;
+    for (std::size_t i = 0; i < mesh.copies.size(); ++i) mesh.place(i);
+    ConflictTester tester(mesh, context, threads);
+    const RetreatResult result = retreat(mesh, graph, tester, context);
+    rounds += result.rounds;
+    if (result.stuck.empty()) {
+      advance(mesh, graph, tester, goal, context);
+      return rounds;
+    }
+    if (refills == kMostRefills) throwNoSolid(mesh, result.stuck);
+    dropOrThrow(mesh, result.stuck);
+  }
+}
+
+bool isFull(const SweptMesh& mesh, TriangleId t) {
+  return mesh.region[t] == Region::kShell && std::all_of(mesh.triangles[t].begin(), mesh.triangles[t].end(), [&](VertexId v) {
+           return mesh.isCopy(v) && mesh.copyOf(v).depth == 1;
+         });
+}
+
+// Depth below each vertex of S: the distance of its copy from S; of two copies the lesser.
+std::vector<double> depthsOf(const SweptMesh& mesh, const ClosestPointTree& tree, const RunContext& context, int threads) {
+  std::vector<double> way(mesh.copies.size(), 0);
+  parallelFor(mesh.copies.size(), threads, context, 512, [&](std::size_t i) {
+    if (!mesh.copies[i].dropped) way[i] = tree.distance(mesh.positions[mesh.vertexOf(i)]);
+  });
+  std::vector<double> depth(mesh.surfaceVertices, std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < way.size(); ++i) {
+    double& d = depth[mesh.copies[i].base];
+    d = std::min(d, way[i]);
+  }
+  return depth;
+}
+
+// Drops the positions that no triangle uses, except S's own, so that ids of S stay.
+SweepResult finish(const SweptMesh& mesh, const ClosestPointTree& tree, Side side, std::size_t rounds,
+                   const RunContext& context, int threads) {
+  SweepResult result;
+  result.rounds = rounds;
+  result.depth = depthsOf(mesh, tree, context, threads);
+  std::vector<VertexId> to(mesh.positions.size());
+  for (VertexId v = 0; v < mesh.positions.size(); ++v) {
+    if (mesh.isCopy(v) && mesh.copyOf(v).dropped) {
+      ++result.droppedCopies;
+      continue;
+    }
+    to[v] = static_cast<VertexId>(result.mesh.positions.size());
+    result.mesh.positions.push_back(mesh.positions[v]);
+  }
+  const std::size_t first = side == Side::kBoth ? mesh.surfaceTriangles : 0;  // S lies inside then
+  for (std::size_t t = first; t < mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    result.mesh.triangles.push_back({to[a], to[b], to[c]});
+    result.region.push_back(mesh.region[t]);
+    result.full.push_back(isFull(mesh, static_cast<TriangleId>(t)));
+  }
+  return result;
+}
+
+}  // namespace
+
+SweepResult sweep(const TriangleMesh& surface, const ClosestPointTree& tree, double thickness, Side side,
+                  const RunContext& context, int threads) {
+  const auto normal = faceNormals(surface.positions, surface.triangles);
+  const auto around = vertexTriangles(surface.positions.size(), surface.triangles);
+  const Rim rim = rimOf(surface.positions.size(), surface.triangles);
+  const auto direction = sweepDirections(surface, normal, around, rim);
+  SweptMesh mesh = sweepMesh(surface, direction, rim, thickness, side);
+  setInitialDepths(mesh, tree, context, threads);
+  for (std::size_t i = 0; i < mesh.copies.size(); ++i) mesh.place(i);
+  dropOrThrow(mesh, copiesWithoutDirection(mesh));
+  const std::size_t rounds = settle(mesh, context, threads);
+  return finish(mesh, tree, side, rounds, context, threads);
+}
+
+}  // namespace thicken

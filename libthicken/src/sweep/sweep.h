@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// The sweep of varying depth: S, its copy at v − h(v)·r·m(v), and walls below the rim. Always a
+// valid solid with S kept; as thick as asked where the offset is not cut off.
+#pragma once
+
+#include "thicken/closest_point.h"
+#include "thicken/mesh.h"
+#include "thicken/options.h"
+#include "thicken/result.h"
+#include "thicken/run_context.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace thicken {
+
+struct SweepResult {
+  TriangleMesh mesh;               ///< S's vertices and triangles first (on kBoth: no triangles of S)
+  std::vector<Region> region;      ///< per triangle
+  std::vector<std::uint8_t> full;  ///< per triangle: 1 for a shell triangle at its full depth
+  std::vector<double> depth;       ///< mm per vertex of S: distance from its copy to S
+  std::size_t droppedCopies = 0;
+  std::size_t rounds = 0;
+};
+
+/// Sweeps `surface` (valid, welded) by `thickness` mm to its negative side or to both. `tree` is the
+/// tree of `surface`. Throws kNoSolid with the place where not even the least depth is clear.
+[[nodiscard]] SweepResult sweep(const TriangleMesh& surface, const ClosestPointTree& tree, double thickness, Side side,
+                                const RunContext& context, int threads);
+
+}  // namespace thicken

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "thicken/thicken.h"
+
+#include "check/audit.h"
+#include "measure/measure.h"
+#include "measure/stopwatch.h"
+#include "mesh/float_lattice.h"
+#include "parallel_for.h"
+#include "plan.h"
+#include "sweep/sweep.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace thicken {
+
+namespace {
+
+// Shares of the progress at which the stages begin.
+constexpr double kChecked = 0.15, kSwept = 0.75, kAudited = 0.9;
+
+TriangleMesh stored(const TriangleMesh& surface, Precision precision) {
+  if (precision == Precision::kDouble) return weld(surface);
+  TriangleMesh rounded = surface;
+  for (Vec3& p : rounded.positions) p = roundToFloat(p);
+  return weld(rounded);
+}
+
+void throwDefects(std::vector<Defect> defects) {
+  std::string sentence = defects.front().sentence;
+  if (defects.size() > 1) sentence += fmt::format(" (and {} more kinds of defect)", defects.size() - 1);
+  const ErrorCode code = defects.front().code;
+  throw Error(code, sentence, std::move(defects));
+}
+
+void reverse(TriangleMesh& mesh) {
+  for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+}
+
+Solid assemble(SweepResult& swept, const SurfaceFacts& input, const Options& options, int threads) {
+  Solid solid;
+  solid.mesh = std::move(swept.mesh);
+  solid.region = std::move(swept.region);
+  solid.depth = std::move(swept.depth);
+  Report& report = solid.report;
+  report.input = input;
+  report.thickness = options.thickness;
+  report.side = options.side;
+  report.method = Method::kSweep;
+  report.threads = threads;
+  report.droppedCopies = swept.droppedCopies;
+  report.rounds = swept.rounds;
+  return solid;
+}
+
+void proveOrThrow(Solid& solid, const TriangleMesh& surface, Side side, const RunContext& context, int threads) {
+  AuditResult proof = audit(solid.mesh, surface, side, context, threads);
+  solid.report.audit = proof.facts;
+  if (proof.facts.passed()) return;
+  std::string why = proof.defects.empty() ? "the audit failed" : proof.defects.front().sentence;
+  throw Error(ErrorCode::kNoSolid, "no valid solid was found: " + why, std::move(proof.defects));
+}
+
+void requireTolerance(const Solid& solid, const Options& options) {
+  if (!options.tolerance) return;
+  const double worst = solid.report.shellError.max * options.thickness;
+  if (worst <= *options.tolerance) return;
+  throw Error(ErrorCode::kNoSolid,
+              fmt::format("the shell is up to {:.4g} mm from its definition, which is more than the tolerance of {:.4g} mm; "
+                          "ask for a larger tolerance or a smaller thickness",
+                          worst, *options.tolerance));
+}
+
+void addWarnings(Report& report) {
+  constexpr double kThin = 0.9;
+  if (report.thinnestWall >= kThin * report.thickness) return;
+  const Vec3& p = report.thinnestPlace;
+  report.warnings.push_back(
+      fmt::format("the solid is thinner than asked in places: the thinnest wall is {:.4g} mm at ({:.6g}, {:.6g}, {:.6g}), and "
+                  "{:.2g} % of the surface has less than 0.9 of the thickness below it",
+                  report.thinnestWall, p.x(), p.y(), p.z(), 100 * report.thinShare));
+}
+
+}  // namespace
+
+Solid thicken(const TriangleMesh& input, const Options& options, RunContext context) {
+  requireValid(options);
+  const int threads = threadCount(options.threads);
+  Stopwatch watch;
+
+  context.enter(Stage::kChecking, 0, kChecked);
+  TriangleMesh surface = stored(input, options.precision);
+  const std::size_t predicted = predictedBytes(surface, options);
+  context.reserve(predicted, "thicken a part of the surface at a time, or simplify it first");
+  CheckResult checked = check(surface, context, threads);
+  if (!checked.valid()) throwDefects(std::move(checked.defects));
+  requireRoom(surface, options);
+  watch.lap("check");
+
+  context.enter(Stage::kSweeping, kChecked, kSwept);
+  TriangleMesh oriented = surface;
+  if (options.side == Side::kPositive) reverse(oriented);
+  const ClosestPointTree tree(oriented);
+  watch.lap("tree");
+  const Side side = options.side == Side::kBoth ? Side::kBoth : Side::kNegative;
+  SweepResult swept = sweep(oriented, tree, options.thickness, side, context, threads);
+  const std::vector<std::uint8_t> full = std::move(swept.full);
+  Solid solid = assemble(swept, checked.facts, options, threads);
+  watch.lap("sweep");
+
+  context.enter(Stage::kAuditing, kSwept, kAudited);
+  proveOrThrow(solid, surface, options.side, context, threads);
+  watch.lap("audit");
+
+  context.enter(Stage::kMeasuring, kAudited, 1);
+  measure(solid, oriented, tree, full, context, threads);
+  requireTolerance(solid, options);
+  watch.lap("measure");
+  addWarnings(solid.report);
+  solid.report.predictedMemory = predicted;
+  solid.report.peakMemory = peakMemory();
+  solid.report.seconds = watch.laps();
+  context.enter(Stage::kDone, 1, 1);
+  return solid;
+}
+
+}  // namespace thicken
