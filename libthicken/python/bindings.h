@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// The parts that the module _thicken is put together from.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace thicken::python {
+
+void bindError(pybind11::module_& module);
+void bindContext(pybind11::module_& module);
+void bindThicken(pybind11::module_& module);
+void bindFiles(pybind11::module_& module);
+
+}  // namespace thicken::python

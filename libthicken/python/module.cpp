@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "bindings.h"
+#include "thicken/version.h"
+
+PYBIND11_MODULE(_thicken, module) {
+  module.doc() = "Thickens open triangle surfaces into printable solids: libthicken on NumPy arrays.";
+  module.attr("__version__") = thicken::kVersion;
+  thicken::python::bindError(module);
+  thicken::python::bindContext(module);
+  thicken::python::bindThicken(module);
+  thicken::python::bindFiles(module);
+}
