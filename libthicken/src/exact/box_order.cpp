@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "exact/box_order.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "parallel_for.h"
+
+namespace thicken::exact {
+namespace {
+
+struct Centre {
+  float x[3];
+  TriangleId id;
+};
+
+float centreOf(double a, double b, double c) {
+  const float sum = static_cast<float>(a + b + c);
+  return std::isfinite(sum) ? sum : 0;  // only the quality of the tree depends on it
+}
+
+int longestSide(std::span<const Centre> centres) {
+  float low[3], high[3];
+  for (int k = 0; k < 3; ++k) low[k] = high[k] = centres[0].x[k];
+  for (const Centre& c : centres) {
+    for (int k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], c.x[k]);
+      high[k] = std::max(high[k], c.x[k]);
+    }
+  }
+  int axis = 0;
+  for (int k = 1; k < 3; ++k)
+    if (high[k] - low[k] > high[axis] - low[axis]) axis = k;
+  return axis;
+}
+
+std::span<Centre> of(const Subtree& tree, std::span<Centre> centres) {
+  const std::size_t begin = std::size_t{kLeafSize} * tree.first;
+  return centres.subspan(begin,
+                         std::min<std::size_t>(std::size_t{kLeafSize} * tree.count, centres.size() - begin));
+}
+
+void partition(const Subtree& tree, std::span<Centre> centres) {
+  const std::span<Centre> part = of(tree, centres);
+  const int axis = longestSide(part);
+  std::nth_element(part.begin(), part.begin() + kLeafSize * tree.left().count, part.end(),
+                   [axis](const Centre& a, const Centre& b) {
+                     return a.x[axis] != b.x[axis] ? a.x[axis] < b.x[axis] : a.id < b.id;
+                   });
+}
+
+void sortBelow(const Subtree& tree, std::span<Centre> centres) {
+  if (tree.isLeaf()) return;
+  partition(tree, centres);
+  sortBelow(tree.left(), centres);
+  sortBelow(tree.right(), centres);
+}
+
+}  // namespace
+
+std::vector<TriangleId> leafOrder(std::span<const Vec3> positions, std::span<const Triangle> triangles,
+                                  std::vector<TriangleId> ids, int threads) {
+  if (ids.empty()) return ids;
+  const RunContext uncancelled;
+  constexpr std::size_t kGrain = 8192;
+  std::vector<Centre> centres(ids.size());
+  parallelFor(ids.size(), threads, uncancelled, kGrain, [&](std::size_t i) {
+    const Triangle& t = triangles[ids[i]];
+    const Vec3 &a = positions[t[0]], &b = positions[t[1]], &c = positions[t[2]];
+    centres[i] = {{centreOf(a[0], b[0], c[0]), centreOf(a[1], b[1], c[1]), centreOf(a[2], b[2], c[2])},
+                  ids[i]};
+  });
+
+  // level by level until there are subtrees enough for all threads, then each subtree on its own
+  constexpr std::size_t kSubtrees = 64;
+  std::vector<Subtree> level{{0, 0, static_cast<std::uint32_t>((ids.size() + kLeafSize - 1) / kLeafSize)}};
+  while (level.size() < kSubtrees && level[0].count > 1) {
+    parallelFor(level.size(), threads, uncancelled, 1, [&](std::size_t i) {
+      if (!level[i].isLeaf()) partition(level[i], centres);
+    });
+    std::vector<Subtree> next;
+    for (const Subtree& tree : level) {
+      if (tree.isLeaf()) continue;
+      next.push_back(tree.left());
+      next.push_back(tree.right());
+    }
+    level = std::move(next);
+  }
+  parallelFor(level.size(), threads, uncancelled, 1, [&](std::size_t i) { sortBelow(level[i], centres); });
+
+  for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = centres[i].id;
+  return ids;
+}
+
+}  // namespace thicken::exact
