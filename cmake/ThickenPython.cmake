@@ -1,0 +1,11 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+#
+# The extension has to fit the Python that FreeCAD embeds. On Linux that is the distribution's, while
+# `python3` on the PATH may belong to a version manager: so the search starts at /usr/bin.
+# -DPython_EXECUTABLE=… chooses another.
+if(NOT DEFINED Python_EXECUTABLE AND EXISTS "/usr/bin/python3")
+  set(Python_EXECUTABLE "/usr/bin/python3" CACHE FILEPATH "The Python that FreeCAD embeds")
+endif()
+set(PYBIND11_FINDPYTHON ON)
+find_package(Python 3.10 REQUIRED COMPONENTS Interpreter Development.Module)
+find_package(pybind11 2.10 REQUIRED CONFIG)

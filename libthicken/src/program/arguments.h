@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// The command line of the program, read into values. docs/program.md documents it.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "thicken/options.h"
+
+namespace thicken::program {
+
+enum class Command { kThicken, kCheck };
+
+struct Arguments {
+  Command command = Command::kThicken;
+  std::filesystem::path input;
+  std::filesystem::path output;  ///< kThicken only
+  std::filesystem::path report;  ///< empty: none
+  Options options;               ///< kThicken only; precision follows from the output
+  std::size_t memoryLimit = 0;   ///< bytes; 0: no limit
+  bool quiet = false;
+};
+
+/// What the command line asks for: a run, or a text that answers it (--help, --version).
+struct Request {
+  std::optional<Arguments> arguments;
+  std::string answer;
+};
+
+/// Reads the command line. Throws Error(kInvalidArgument) with a sentence that names the option.
+[[nodiscard]] Request readArguments(int argc, const char* const* argv);
+
+}  // namespace thicken::program

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// The program `thicken`: reads the command line, runs the command, and turns what went wrong into
+// an exit status and one last line on stderr.
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <new>
+
+#include "program/arguments.h"
+#include "program/interrupt.h"
+#include "program/messages.h"
+#include "program/run.h"
+
+namespace {
+
+using namespace thicken;
+using namespace thicken::program;
+
+int run(int argc, const char* const* argv, bool& quiet) {
+  const Request request = readArguments(argc, argv);
+  if (!request.arguments) {
+    std::cout << request.answer;
+    return EXIT_SUCCESS;
+  }
+  quiet = request.arguments->quiet;
+  RunContext context;
+  context.setMemoryLimit(request.arguments->memoryLimit);
+  cancelOnInterrupt(context);
+  request.arguments->command == Command::kCheck ? runCheck(*request.arguments, context)
+                                                : runThicken(*request.arguments, context);
+  return EXIT_SUCCESS;
+}
+
+int fail(const Error& error, bool quiet) {
+  printError(error, quiet);
+  return exitStatus(error.code());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  bool quiet = false;
+  try {
+    return run(argc, argv, quiet);
+  } catch (const Error& error) {
+    return fail(error, quiet);
+  } catch (const std::bad_alloc&) {
+    return fail(Error(ErrorCode::kMemoryLimit, "The machine ran out of memory."), quiet);
+  } catch (const std::exception&) {
+    return fail(Error(ErrorCode::kInternal,
+                      "The program broke one of its own rules; nothing was written. "
+                      "Please report it with the surface that caused it."),
+                quiet);
+  }
+}

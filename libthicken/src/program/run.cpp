@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "program/run.h"
+
+#include <chrono>
+#include <iostream>
+#include <new>
+#include <string>
+
+#include "program/files.h"
+#include "program/messages.h"
+#include "program/progress_line.h"
+#include "thicken/thicken.h"
+
+namespace thicken::program {
+namespace {
+
+class Stopwatch {
+ public:
+  [[nodiscard]] double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+// Rough shares of the program's own stages in a whole run.
+constexpr double kReadShare = 0.02;
+constexpr double kWriteShare = 0.98;
+
+TriangleMesh readSurface(const Arguments& arguments, RunContext& context) {
+  context.enter(Stage::kReading, 0, kReadShare);
+  TriangleMesh surface = readMesh(arguments.input);
+  context.throwIfCancelled();
+  return surface;
+}
+
+Solid makeSolid(const Arguments& arguments, RunContext& context) {
+  const ProgressLine line(context, arguments.quiet);
+  const Stopwatch reading;
+  const TriangleMesh surface = readSurface(arguments, context);
+  const double readingSeconds = reading.seconds();
+  Options options = arguments.options;
+  options.precision = storedPrecision(arguments.output);
+  Solid solid = thicken(surface, options, context);
+  context.throwIfCancelled();
+  context.enter(Stage::kWriting, kWriteShare, 1);
+  const Stopwatch writing;
+  writeMesh(arguments.output, solid.mesh);
+  auto& seconds = solid.report.seconds;
+  seconds.insert(seconds.begin(), {std::string(name(Stage::kReading)), readingSeconds});
+  seconds.emplace_back(name(Stage::kWriting), writing.seconds());
+  return solid;
+}
+
+CheckResult checkSurface(const Arguments& arguments, RunContext& context) {
+  const ProgressLine line(context, arguments.quiet);
+  const TriangleMesh surface = readSurface(arguments, context);
+  context.enter(Stage::kChecking, kReadShare, 1);
+  return check(surface, context, arguments.options.threads);
+}
+
+void printSummary(const Arguments& arguments, const Report& report) {
+  std::cout << oneLine(arguments.output.string()) << ": " << report.triangles << " triangles, "
+            << report.volume / 1000 << " mL, thinnest wall " << report.thinnestWall << " of "
+            << report.thickness << " mm\n";
+}
+
+void printSummary(const Arguments& arguments, const SurfaceFacts& facts) {
+  std::cout << oneLine(arguments.input.string()) << ": a valid " << (facts.closed ? "closed" : "open")
+            << " surface of " << facts.triangles << " triangles, " << facts.rims << " rims, "
+            << facts.components << " components\n";
+}
+
+void writeReport(const Arguments& arguments, const std::string& json) {
+  if (!arguments.report.empty()) writeText(arguments.report, json);
+}
+
+// The error that `run` ends with, if any, as the one type that the program reports.
+template <class Run>
+void withReport(const Arguments& arguments, Run run) {
+  try {
+    try {
+      run();
+    } catch (const std::bad_alloc&) {
+      throw Error(ErrorCode::kMemoryLimit,
+                  "The machine ran out of memory; free some, or use a larger --cell or a coarser surface.");
+    }
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::kCancelled) writeReport(arguments, toJson(error));
+    throw;
+  }
+}
+
+}  // namespace
+
+void runThicken(const Arguments& arguments, RunContext context) {
+  if (!arguments.report.empty()) requireFolderFor(arguments.report);
+  Solid solid;
+  withReport(arguments, [&] {
+    requireReadable(arguments.input);
+    requireWritable(arguments.output);
+    requireFolderFor(arguments.output);
+    solid = makeSolid(arguments, context);
+  });
+  writeReport(arguments, toJson(solid.report));
+  if (arguments.quiet) return;
+  for (const std::string& warning : solid.report.warnings) printWarning(warning);
+  printSummary(arguments, solid.report);
+}
+
+void runCheck(const Arguments& arguments, RunContext context) {
+  if (!arguments.report.empty()) requireFolderFor(arguments.report);
+  CheckResult result;
+  withReport(arguments, [&] {
+    requireReadable(arguments.input);
+    result = checkSurface(arguments, context);
+  });
+  writeReport(arguments, toJson(result));
+  if (!result.valid()) {
+    const Defect& first = result.defects.front();
+    throw Error(first.code, first.sentence, result.defects);
+  }
+  if (!arguments.quiet) printSummary(arguments, result.facts);
+}
+
+}  // namespace thicken::program
