@@ -25,12 +25,13 @@ void printWarning(std::string_view sentence) {
 }
 
 void printError(const Error& error, bool quiet) {
+  const std::string_view last = error.what();
   if (!quiet) {
     for (const Defect& defect : error.defects()) {
-      if (defect.sentence != error.what()) printLine(name(defect.code), defect.sentence);
+      if (!last.starts_with(defect.sentence)) printLine(name(defect.code), defect.sentence);
     }
   }
-  printLine(name(error.code()), error.what());
+  printLine(name(error.code()), last);
   std::cerr.flush();
 }
 

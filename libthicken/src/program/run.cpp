@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "program/run.h"
 
-#include <chrono>
 #include <iostream>
 #include <new>
 #include <string>
 
+#include "measure/stopwatch.h"
 #include "program/files.h"
 #include "program/messages.h"
 #include "program/progress_line.h"
@@ -13,16 +13,6 @@
 
 namespace thicken::program {
 namespace {
-
-class Stopwatch {
- public:
-  [[nodiscard]] double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 // Rough shares of the program's own stages in a whole run.
 constexpr double kReadShare = 0.02;
@@ -37,19 +27,20 @@ TriangleMesh readSurface(const Arguments& arguments, RunContext& context) {
 
 Solid makeSolid(const Arguments& arguments, RunContext& context) {
   const ProgressLine line(context, arguments.quiet);
-  const Stopwatch reading;
+  Stopwatch reading;
   const TriangleMesh surface = readSurface(arguments, context);
-  const double readingSeconds = reading.seconds();
+  reading.lap("read");
   Options options = arguments.options;
   options.precision = storedPrecision(arguments.output);
   Solid solid = thicken(surface, options, context);
   context.throwIfCancelled();
   context.enter(Stage::kWriting, kWriteShare, 1);
-  const Stopwatch writing;
+  Stopwatch writing;
   writeMesh(arguments.output, solid.mesh);
+  writing.lap("write");
   auto& seconds = solid.report.seconds;
-  seconds.insert(seconds.begin(), {std::string(name(Stage::kReading)), readingSeconds});
-  seconds.emplace_back(name(Stage::kWriting), writing.seconds());
+  seconds.insert(seconds.begin(), reading.laps().front());
+  seconds.push_back(writing.laps().front());
   return solid;
 }
 
