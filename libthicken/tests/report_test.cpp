@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "thicken/report.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
+#include <string>
+
+namespace thicken {
+namespace {
+
+using nlohmann::json;
+
+Report sampleReport() {
+  Report report;
+  report.input.triangles = 12;
+  report.input.rims = 2;
+  report.thickness = 2;
+  report.side = Side::kBoth;
+  report.method = Method::kSweep;
+  report.threads = 3;
+  report.seconds = {{"check", 0.5}, {"sweep", 1}, {"check", 0.25}};
+  report.predictedMemory = 1000;
+  report.triangles = 30;
+  report.originalTriangles = 12;
+  report.shellTriangles = 14;
+  report.wallTriangles = 4;
+  report.volume = 2500;
+  report.shellError = {0.01, 0.02, 0.04};
+  report.shellErrorFullDepth = {0.001, 0.002, 0.004};
+  report.thinnestWall = 1.5;
+  report.thinnestPlace = Vec3(1, 2, 3);
+  report.thinShare = 0.125;
+  report.audit.closed = true;
+  report.warnings = {"the solid is thin"};
+  return report;
+}
+
+/// "a.b.c" for every value in `value`; lists of objects are written "a[].b".
+void collectKeys(const json& value, const std::string& prefix, std::set<std::string>& keys) {
+  if (value.is_object()) {
+    for (const auto& [key, child] : value.items())
+      collectKeys(child, prefix.empty() ? key : prefix + "." + key, keys);
+  } else if (value.is_array() && !value.empty() && value.front().is_object()) {
+    keys.insert(prefix);
+    collectKeys(value.front(), prefix + "[]", keys);
+  } else {
+    keys.insert(prefix);
+  }
+}
+
+/// Every word in back quotes in the first columns of the tables of docs/report.md.
+std::set<std::string> documentedKeys() {
+  std::ifstream file(std::string(THICKEN_SOURCE_DIR) + "/docs/report.md");
+  EXPECT_TRUE(file) << "docs/report.md is missing";
+  std::set<std::string> keys;
+  const std::regex quoted("`([^`]+)`");
+  for (std::string line; std::getline(file, line);) {
+    if (line.empty() || line.front() != '|') continue;
+    const std::string column = line.substr(1, line.find('|', 1) - 1);
+    for (std::sregex_iterator it(column.begin(), column.end(), quoted), end; it != end; ++it)
+      keys.insert((*it)[1]);
+  }
+  return keys;
+}
+
+TEST(Report, HoldsTheFactsUnderTheirNames) {
+  const json report = json::parse(toJson(sampleReport()));
+  EXPECT_EQ(report["status"], "ok");
+  EXPECT_EQ(report["input"]["triangles"], 12);
+  EXPECT_EQ(report["input"]["rims"], 2);
+  EXPECT_EQ(report["parameters"]["side"], "both");
+  EXPECT_EQ(report["parameters"]["method"], "sweep");
+  EXPECT_EQ(report["parameters"]["threads"], 3);
+  EXPECT_TRUE(report["parameters"]["cell_mm"].is_null()) << "no field was computed";
+  EXPECT_EQ(report["output"]["volume_mm3"], 2500);
+  EXPECT_EQ(report["output"]["volume_ml"], 2.5);
+  EXPECT_EQ(report["output"]["original_triangles"], 12);
+  EXPECT_EQ(report["surface_deviation_mm"], 0);
+  EXPECT_EQ(report["shell_error"]["p99"], 0.02);
+  EXPECT_EQ(report["shell_error_full_depth"]["max"], 0.004);
+  EXPECT_EQ(report["thinnest_wall"]["share_of_thickness"], 0.75);
+  EXPECT_EQ(report["thinnest_wall"]["place_mm"], json({1, 2, 3}));
+  EXPECT_EQ(report["thin_share"], 0.125);
+  EXPECT_EQ(report["audit"]["closed"], true);
+  EXPECT_EQ(report["audit"]["passed"], false) << "only one of the clauses was set";
+  EXPECT_EQ(report["warnings"], json({"the solid is thin"}));
+}
+
+TEST(Report, AddsUpTheTimesOfAStage) {
+  const json seconds = json::parse(toJson(sampleReport()))["seconds"];
+  EXPECT_EQ(seconds["check"], 0.75);
+  EXPECT_EQ(seconds["sweep"], 1);
+  EXPECT_EQ(seconds["total"], 1.75);
+}
+
+TEST(Report, WritesNullForWhatIsNotFinite) {
+  Report report = sampleReport();
+  report.volume = std::numeric_limits<double>::quiet_NaN();
+  report.thickness = 0;
+  const json parsed = json::parse(toJson(report));
+  EXPECT_TRUE(parsed["output"]["volume_mm3"].is_null());
+  EXPECT_TRUE(parsed["thinnest_wall"]["share_of_thickness"].is_null());
+}
+
+Defect sampleDefect() {
+  Defect defect;
+  defect.code = ErrorCode::kNotManifold;
+  defect.sentence = "edge 1-2 has three triangles";
+  defect.count = 5;
+  defect.edges = {{1, 2}};
+  defect.triangles = {7, 8, 9};
+  defect.place = Vec3(0.5, 0, 0);
+  return defect;
+}
+
+TEST(Report, OfARefusalListsTheDefects) {
+  const Error error(ErrorCode::kNotManifold, "edge 1-2 has three triangles", {sampleDefect()});
+  const json report = json::parse(toJson(error));
+  EXPECT_EQ(report["status"], "refused");
+  EXPECT_EQ(report["code"], "not-manifold");
+  EXPECT_EQ(report["exit_status"], 3);
+  EXPECT_EQ(report["sentence"], "edge 1-2 has three triangles");
+  ASSERT_EQ(report["defects"].size(), 1u);
+  EXPECT_EQ(report["defects"][0]["count"], 5);
+  EXPECT_EQ(report["defects"][0]["edges"], json::parse("[[1,2]]"));
+  EXPECT_EQ(report["defects"][0]["triangles"], json({7, 8, 9}));
+  EXPECT_EQ(report["defects"][0]["place_mm"][0], 0.5);
+}
+
+TEST(Report, QuotesFileNamesThatAreNoUtf8) {
+  const Error error(ErrorCode::kUnreadable, "the file \"\xff\xfe.stl\" is not there");
+  EXPECT_EQ(json::parse(toJson(error))["code"], "unreadable");
+}
+
+TEST(Report, OfACheckHoldsFactsAndFirstDefect) {
+  CheckResult result;
+  result.facts.triangles = 4;
+  EXPECT_EQ(json::parse(toJson(result))["status"], "ok");
+  result.defects = {sampleDefect()};
+  const json report = json::parse(toJson(result));
+  EXPECT_EQ(report["status"], "refused");
+  EXPECT_EQ(report["code"], "not-manifold");
+  EXPECT_EQ(report["input"]["triangles"], 4);
+}
+
+TEST(Report, EveryKeyIsDocumentedAndEveryDocumentedKeyIsThere) {
+  std::set<std::string> keys;
+  collectKeys(json::parse(toJson(sampleReport())), "", keys);
+  collectKeys(json::parse(toJson(Error(ErrorCode::kNotManifold, "", {sampleDefect()}))), "", keys);
+  keys.erase("seconds.check");
+  keys.erase("seconds.sweep");
+  keys.insert("seconds.<stage>");
+  std::set<std::string> documented = documentedKeys();
+  documented.erase("ok");
+  documented.erase("refused");
+  EXPECT_EQ(keys, documented);
+}
+
+}  // namespace
+}  // namespace thicken
