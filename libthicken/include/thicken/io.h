@@ -21,6 +21,11 @@ namespace thicken {
 /// it is complete. Throws Error(kUnwritable).
 void writeMesh(const std::filesystem::path& path, const TriangleMesh& mesh);
 
+/// Removes the temporary files of all calls of writeMesh() under way, which may then fail. For a
+/// signal handler that is about to end the process; safe there. Nothing else needs it: writeMesh()
+/// removes its temporary file itself, whatever goes wrong.
+void abandonWrites() noexcept;
+
 /// Throws Error(kUnreadable / kUnwritable) for a path whose extension is not known.
 void requireReadable(const std::filesystem::path& path);
 void requireWritable(const std::filesystem::path& path);

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
+#include <new>
+#include <string>
+
+#include "io/formats.h"
+#include "thicken/check.h"
+#include "thicken/error.h"
+#include "thicken/io.h"
+
+namespace thicken {
+namespace {
+
+// ".stl, .ply and .obj": the formats that have `part`, a reader or a writer.
+template <class Part>
+std::string supported(Part io::Format::*part) {
+  std::vector<std::string_view> names;
+  for (const io::Format& format : io::formats()) {
+    if (format.*part) names.push_back(format.extension);
+  }
+  std::string list;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) list += i + 1 < names.size() ? ", " : " and ";
+    list += names[i];
+  }
+  return list;
+}
+
+template <class Part>
+const io::Format& require(const std::filesystem::path& path, Part io::Format::*part, ErrorCode code,
+                          const std::string& done) {
+  const io::Format* format = io::formatOf(path);
+  if (format && format->*part) return *format;
+  const std::string extension = path.extension().string();
+  throw Error(code, io::quoted(path) + ": " +
+                        (extension.empty() ? "the name has no extension that tells the format"
+                                           : "files of type " + extension + " cannot be " + done) +
+                        "; the formats that can be " + done + " are " + supported(part) + ".");
+}
+
+const io::Format& readable(const std::filesystem::path& path) {
+  return require(path, &io::Format::read, ErrorCode::kUnreadable, "read");
+}
+
+const io::Format& writable(const std::filesystem::path& path) {
+  return require(path, &io::Format::write, ErrorCode::kUnwritable, "written");
+}
+
+void requireStorable(const TriangleMesh& mesh, const std::filesystem::path& path) {
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    if (!mesh.positions[v].allFinite()) {
+      throw Error(ErrorCode::kUnwritable, io::quoted(path) + ": vertex " + std::to_string(v) +
+                                              " of the mesh has a coordinate that is not finite.");
+    }
+  }
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (std::ranges::max(mesh.triangles[t]) >= mesh.positions.size()) {
+      throw Error(ErrorCode::kUnwritable, io::quoted(path) + ": triangle " + std::to_string(t) +
+                                              " of the mesh names a vertex that the mesh does not have.");
+    }
+  }
+}
+
+}  // namespace
+
+void requireReadable(const std::filesystem::path& path) {
+  readable(path);
+}
+
+void requireWritable(const std::filesystem::path& path) {
+  writable(path);
+}
+
+Precision storedPrecision(const std::filesystem::path& path) {
+  const io::Format* format = io::formatOf(path);
+  return format ? format->precision : Precision::kDouble;
+}
+
+TriangleMesh readMesh(const std::filesystem::path& path) {
+  const io::Format& format = readable(path);
+  try {
+    return weld(format.read(io::SourceFile(path)));
+  } catch (const std::bad_alloc&) {
+    throw Error(ErrorCode::kMemoryLimit,
+                io::quoted(path) + ": the memory of this machine does not suffice to read the file.");
+  }
+}
+
+void writeMesh(const std::filesystem::path& path, const TriangleMesh& mesh) {
+  const io::Format& format = writable(path);
+  requireStorable(mesh, path);
+  io::TargetFile file(path);
+  format.write(file, mesh);
+  file.commit();
+}
+
+}  // namespace thicken

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "io/target_file.h"
+
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+
+#include "io/source_file.h"
+#include "thicken/error.h"
+#include "thicken/io.h"
+
+namespace thicken::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The temporary files under way, in a form that a signal handler may read: fixed storage, no locks.
+// A write beyond the last slot works as any other; it is just not known to abandonWrites().
+struct Slot {
+  enum State : int { kFree, kFilling, kUsed };
+  std::atomic<int> state{kFree};
+  std::array<char, 4096> path{};
+};
+static_assert(std::atomic<int>::is_always_lock_free);
+std::array<Slot, 16> slots;
+
+int takeSlot(const std::string& path) {
+  if (path.size() >= slots[0].path.size()) return -1;
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    int free = Slot::kFree;
+    if (!slots[i].state.compare_exchange_strong(free, Slot::kFilling)) continue;
+    std::memcpy(slots[i].path.data(), path.c_str(), path.size() + 1);
+    slots[i].state.store(Slot::kUsed);
+    return static_cast<int>(i);
+  }
+  return -1;
+}
+
+std::string reasonOf(int error) {
+  return std::generic_category().message(error);
+}
+
+}  // namespace
+
+TargetFile::TargetFile(const fs::path& path) : path_(path), place_(fs::absolute(path)) {
+  std::error_code ignored;
+  // A link stays a link: what it points to is replaced.
+  if (fs::is_symlink(path, ignored)) {
+    place_ = fs::weakly_canonical(path, ignored);
+    if (ignored) fail("cannot be written: " + ignored.message());
+  }
+  if (fs::is_directory(place_, ignored)) fail("is a folder; name a file in it");
+  if (fs::exists(place_, ignored)) {
+    if (!fs::is_regular_file(place_, ignored)) fail("is not a regular file");
+    // Renaming would replace even a file that is write-protected.
+    if (::access(place_.c_str(), W_OK) != 0) fail("cannot be replaced: " + reasonOf(errno));
+  }
+  openTemporary();
+}
+
+void TargetFile::openTemporary() {
+  constexpr int kMostTries = 1000;
+  for (int i = 0; i < kMostTries && !file_; ++i) {
+    temporary_ =
+        place_.parent_path() / (".thicken-" + std::to_string(::getpid()) + "-" + std::to_string(i) + ".tmp");
+    file_ = std::fopen(temporary_.c_str(), "wbx");  // x: fails when there is such a file
+    if (!file_ && errno != EEXIST) break;
+  }
+  if (!file_) fail("cannot be written: " + reasonOf(errno));
+  slot_ = takeSlot(temporary_.native());
+}
+
+TargetFile::~TargetFile() {
+  removeTemporary();
+}
+
+void TargetFile::removeTemporary() noexcept {
+  if (file_) std::fclose(file_);
+  file_ = nullptr;
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  temporary_.clear();
+  if (slot_ >= 0) slots[static_cast<std::size_t>(slot_)].state.store(Slot::kFree);
+  slot_ = -1;
+}
+
+void TargetFile::write(std::string_view bytes) {
+  if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size()) {
+    fail("cannot be written: " + reasonOf(errno));
+  }
+}
+
+void TargetFile::writeWhenLong(std::string& bytes) {
+  constexpr std::size_t kLong = std::size_t{1} << 20;
+  if (bytes.size() < kLong) return;
+  write(bytes);
+  bytes.clear();
+}
+
+void TargetFile::commit() {
+  std::FILE* const file = file_;
+  file_ = nullptr;
+  if (std::fclose(file) != 0) fail("cannot be written: " + reasonOf(errno));
+  if (std::rename(temporary_.c_str(), place_.c_str()) != 0) fail("cannot be replaced: " + reasonOf(errno));
+  temporary_.clear();
+  removeTemporary();
+}
+
+void TargetFile::fail(const std::string& reason) const {
+  throw Error(ErrorCode::kUnwritable, quoted(path_) + ": " + reason + ".");
+}
+
+}  // namespace thicken::io
+
+namespace thicken {
+
+void abandonWrites() noexcept {
+  for (io::Slot& slot : io::slots) {
+    if (slot.state.load() == io::Slot::kUsed) ::unlink(slot.path.data());
+  }
+}
+
+}  // namespace thicken

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// 3MF core specification 1.3: a zip archive of three parts. Own XML because lib3mf keeps single
+// precision; libzip packs it. The same mesh gives the same bytes: no dates, no names of machines.
+#include <zip.h>
+
+#include <array>
+#include <memory>
+
+#include "io/formats.h"
+#include "io/mesh_text.h"
+
+namespace thicken::io {
+namespace {
+
+constexpr std::string_view kContentTypes =
+    R"(<?xml version="1.0" encoding="UTF-8"?>
+<Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types">
+<Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/>
+<Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/>
+</Types>
+)";
+constexpr std::string_view kRelationships =
+    R"(<?xml version="1.0" encoding="UTF-8"?>
+<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">
+<Relationship Id="rel0" Target="/3D/3dmodel.model" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/>
+</Relationships>
+)";
+constexpr std::string_view kModelBegin =
+    R"(<?xml version="1.0" encoding="UTF-8"?>
+<model unit="millimeter" xml:lang="en-US" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02">
+<metadata name="Application">thicken</metadata>
+<resources><object id="1" type="model"><mesh><vertices>
+)";
+constexpr std::string_view kModelEnd = R"(</triangles></mesh></object></resources>
+<build><item objectid="1"/></build>
+</model>
+)";
+
+std::string modelOf(const TriangleMesh& mesh) {
+  std::string xml(kModelBegin);
+  const auto append = [&xml](std::string_view element, std::array<std::string_view, 3> names,
+                             const auto& values) {
+    xml += element;
+    for (int k = 0; k < 3; ++k) {
+      xml += names[static_cast<std::size_t>(k)];
+      appendNumber(xml, values[static_cast<std::size_t>(k)]);
+    }
+    xml += "\"/>\n";
+  };
+  for (const Vec3& p : mesh.positions)
+    append("<vertex", {" x=\"", "\" y=\"", "\" z=\""}, std::array{p[0], p[1], p[2]});
+  xml += "</vertices><triangles>\n";
+  for (const Triangle& t : mesh.triangles) append("<triangle", {" v1=\"", "\" v2=\"", "\" v3=\""}, t);
+  xml += kModelEnd;
+  return xml;
+}
+
+struct FreeSource {
+  void operator()(zip_source_t* source) const { zip_source_free(source); }
+};
+struct DiscardArchive {
+  void operator()(zip_t* archive) const { zip_discard(archive); }
+};
+using Source = std::unique_ptr<zip_source_t, FreeSource>;
+using Archive = std::unique_ptr<zip_t, DiscardArchive>;
+
+void require(bool done, const char* reason, const TargetFile& file) {
+  if (!done) file.fail(std::string("cannot be packed: ") + reason);
+}
+
+// `bytes` must outlive the archive.
+void addPart(zip_t* archive, const char* name, std::string_view bytes, const TargetFile& file) {
+  Source source(zip_source_buffer(archive, bytes.data(), bytes.size(), 0));
+  require(source != nullptr, zip_strerror(archive), file);
+  const zip_int64_t index = zip_file_add(archive, name, source.get(), ZIP_FL_ENC_UTF_8);
+  require(index >= 0, zip_strerror(archive), file);
+  source.release();  // the archive's from here on
+  // 1980-01-01 00:00, the beginning of the archive's calendar, in place of now.
+  constexpr zip_uint16_t kTime = 0, kDate = (1 << 5) | 1;
+  require(zip_file_set_dostime(archive, static_cast<zip_uint64_t>(index), kTime, kDate, 0) == 0,
+          zip_strerror(archive), file);
+}
+
+void copyTo(TargetFile& file, zip_source_t* source) {
+  require(zip_source_open(source) == 0, zip_error_strerror(zip_source_error(source)), file);
+  std::string block(std::size_t{1} << 20, '\0');
+  for (;;) {
+    const zip_int64_t read = zip_source_read(source, block.data(), block.size());
+    require(read >= 0, zip_error_strerror(zip_source_error(source)), file);
+    if (read == 0) break;
+    file.write(std::string_view(block).substr(0, static_cast<std::size_t>(read)));
+  }
+  zip_source_close(source);
+}
+
+}  // namespace
+
+// Packed in memory, so that libzip makes no temporary file of its own.
+void write3mf(TargetFile& file, const TriangleMesh& mesh) {
+  const std::string model = modelOf(mesh);
+  zip_error_t error;
+  zip_error_init(&error);
+  const Source packed(zip_source_buffer_create(nullptr, 0, 0, &error));
+  require(packed != nullptr, zip_error_strerror(&error), file);
+  zip_source_keep(packed.get());  // one for the archive, one to read it
+  Archive archive(zip_open_from_source(packed.get(), ZIP_TRUNCATE, &error));
+  require(archive != nullptr, zip_error_strerror(&error), file);
+  addPart(archive.get(), "[Content_Types].xml", kContentTypes, file);
+  addPart(archive.get(), "_rels/.rels", kRelationships, file);
+  addPart(archive.get(), "3D/3dmodel.model", model, file);
+  require(zip_close(archive.get()) == 0, zip_strerror(archive.get()), file);
+  archive.release();
+  copyTo(file, packed.get());
+}
+
+}  // namespace thicken::io
