@@ -1,51 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "mesh/topology.h"
 
-#include <algorithm>
 #include <numeric>
 
+#include "mesh/half_edges.h"
+#include "mesh/union_find.h"
+
 namespace thicken {
-namespace {
-
-struct HalfEdge {
-  VertexId to;
-  std::uint32_t slot;  // 3 · triangle + corner
-};
-
-// Half-edges in buckets of their first vertex, each bucket sorted by the second, so that a vertex of
-// very many triangles costs no more than n log n.
-class HalfEdges {
- public:
-  HalfEdges(std::size_t vertexCount, std::span<const Triangle> triangles)
-      : offset_(vertexCount + 1, 0), edges_(3 * triangles.size()) {
-    for (const Triangle& t : triangles)
-      for (const VertexId v : t) ++offset_[v + 1];
-    std::partial_sum(offset_.begin(), offset_.end(), offset_.begin());
-    std::vector<std::uint32_t> next(offset_.begin(), offset_.end() - 1);
-    for (std::uint32_t t = 0; t < triangles.size(); ++t)
-      for (std::uint32_t k = 0; k < 3; ++k)
-        edges_[next[triangles[t][k]]++] = {triangles[t][(k + 1) % 3], 3 * t + k};
-    const auto before = [](const HalfEdge& a, const HalfEdge& b) {
-      return a.to != b.to ? a.to < b.to : a.slot < b.slot;
-    };
-    for (std::size_t v = 0; v < vertexCount; ++v)
-      std::sort(edges_.begin() + offset_[v], edges_.begin() + offset_[v + 1], before);
-  }
-
-  // The first slot that uses the edge in this direction, or kNone.
-  [[nodiscard]] std::uint32_t find(VertexId from, VertexId to) const {
-    const auto end = edges_.begin() + offset_[from + 1];
-    const auto it = std::lower_bound(edges_.begin() + offset_[from], end, to,
-                                     [](const HalfEdge& e, VertexId v) { return e.to < v; });
-    return it != end && it->to == to ? it->slot : kNone;
-  }
-
- private:
-  std::vector<std::uint32_t> offset_;
-  std::vector<HalfEdge> edges_;
-};
-
-}  // namespace
 
 VertexTriangles vertexTriangles(std::size_t vertexCount, std::span<const Triangle> triangles) {
   VertexTriangles result;
@@ -66,8 +27,8 @@ std::vector<std::array<TriangleId, 3>> neighbours(std::size_t vertexCount,
   std::vector<std::array<TriangleId, 3>> result(triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     for (int k = 0; k < 3; ++k) {
-      const std::uint32_t slot = edges.find(triangles[t][(k + 1) % 3], triangles[t][k]);
-      result[t][k] = slot == kNone ? kNone : slot / 3;
+      const auto opposite = edges.uses(triangles[t][(k + 1) % 3], triangles[t][k]);
+      result[t][k] = opposite.empty() ? kNone : opposite.front().triangle();
     }
   }
   return result;
@@ -78,7 +39,7 @@ Rim rimOf(std::size_t vertexCount, std::span<const Triangle> triangles) {
   std::vector<std::uint32_t> out(vertexCount, kNone);  // the rim edge that leaves a vertex, as a slot
   for (std::uint32_t t = 0; t < triangles.size(); ++t)
     for (std::uint32_t k = 0; k < 3; ++k)
-      if (edges.find(triangles[t][(k + 1) % 3], triangles[t][k]) == kNone) out[triangles[t][k]] = 3 * t + k;
+      if (edges.uses(triangles[t][(k + 1) % 3], triangles[t][k]).empty()) out[triangles[t][k]] = 3 * t + k;
 
   Rim rim;
   rim.loopStart.push_back(0);
@@ -99,23 +60,16 @@ Rim rimOf(std::size_t vertexCount, std::span<const Triangle> triangles) {
 }
 
 Components componentsOf(std::size_t vertexCount, std::span<const Triangle> triangles) {
-  std::vector<VertexId> up(vertexCount);
-  std::iota(up.begin(), up.end(), 0u);
-  const auto root = [&up](VertexId v) {
-    while (up[v] != v) v = up[v] = up[up[v]];
-    return v;
-  };
+  UnionFind vertices(vertexCount);
   for (const Triangle& t : triangles) {
-    for (int k = 1; k < 3; ++k) {
-      const VertexId a = root(t[0]), b = root(t[k]);
-      up[std::max(a, b)] = std::min(a, b);
-    }
+    vertices.join(t[0], t[1]);
+    vertices.join(t[0], t[2]);
   }
   Components result;
   result.ofTriangle.resize(triangles.size());
   std::vector<std::uint32_t> number(vertexCount, kNone);
   for (std::size_t t = 0; t < triangles.size(); ++t) {
-    std::uint32_t& n = number[root(triangles[t][0])];
+    std::uint32_t& n = number[vertices.root(triangles[t][0])];
     if (n == kNone) n = result.count++;
     result.ofTriangle[t] = n;
   }

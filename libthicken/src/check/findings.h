@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// What is wrong with the triangles of a mesh one by one and with the way they are joined, as bare
+// ids; check() and audit() put it into words.
+#pragma once
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "mesh/half_edges.h"
+#include "thicken/mesh.h"
+#include "thicken/run_context.h"
+
+namespace thicken {
+
+using Edge = std::array<VertexId, 2>;
+
+/// Triangles that are not proper ones, each kind ascending.
+struct BadTriangles {
+  std::vector<TriangleId> withoutArea;  ///< a corner twice, or corners on one line
+  std::vector<std::pair<TriangleId, TriangleId>>
+      duplicates;  ///< a later triangle with the corners of the first
+  std::vector<std::uint8_t>
+      joined;  ///< per triangle: three different corners, no duplicate: takes part in topology
+  std::vector<std::uint8_t> proper;  ///< per triangle: joined, and with an area
+};
+
+/// `finite` false: coordinates are not looked at, and triangles are without area by their ids alone.
+[[nodiscard]] BadTriangles badTriangles(const TriangleMesh& mesh, bool finite, const RunContext& context,
+                                        int threads);
+
+/// Defects of edges and vertices. Edges and vertices come in ascending order.
+struct BadJoints {
+  std::vector<Edge> rim;          ///< used once; in the direction of its triangle
+  std::vector<Edge> crowded;      ///< used more than twice
+  std::vector<Edge> sameSense;    ///< used twice in this direction
+  std::vector<VertexId> pinched;  ///< more than one fan of triangles, which touch only there
+};
+[[nodiscard]] BadJoints badJoints(const TriangleMesh& mesh, const HalfEdges& edges);
+
+}  // namespace thicken

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Self-intersections of a mesh, gathered up to a number that no report needs more than, so that a
+// mesh in which everything meets everything costs neither time nor memory.
+#pragma once
+
+#include <span>
+
+#include "exact/box_tree.h"
+#include "thicken/error.h"
+#include "thicken/mesh.h"
+
+namespace thicken {
+
+struct Meetings {
+  std::vector<exact::TrianglePair>
+      pairs;  ///< sorted; the first ones found when there are more than can be listed
+  std::size_t count = 0;
+  bool more = false;  ///< `count` is only a lower bound
+};
+
+/// Same answer for any number of threads.
+[[nodiscard]] Meetings meetingsOf(const TriangleMesh& mesh, const exact::BoxTree& tree,
+                                  const RunContext& context, int threads);
+
+/// A point close to where two triangles meet: the centre of what their boxes have in common, mm.
+[[nodiscard]] Vec3 placeOf(const TriangleMesh& mesh, const exact::TrianglePair& pair);
+
+}  // namespace thicken
