@@ -130,6 +130,21 @@ struct BoxTree::Impl {
     box[tree.node] = box[tree.left().node];
     box[tree.node].include(box[tree.right().node]);
   }
+  // Calls found(t) for every triangle t of the subtree whose box overlaps `target`.
+  template <class Found>
+  void visit(const Subtree& tree, const FloatBox& target, const Found& found) const {
+    if (!box[tree.node].overlaps(target)) return;
+    if (!tree.isLeaf()) {
+      visit(tree.left(), target, found);
+      visit(tree.right(), target, found);
+      return;
+    }
+    const Leaf& leaf = leaves[tree.first];
+    unsigned candidates = leaf.overlaps(target);
+    for (std::uint32_t i = 0; candidates != 0; ++i, candidates >>= 1)
+      if ((candidates & 1) != 0) found(leaf.id[i]);
+  }
+
   // `dirty`: leaves whose boxes changed, ascending, within the subtree.
   void fitBelow(const Subtree& tree, std::span<const std::uint32_t> dirty) {
     if (dirty.empty()) return;
@@ -370,24 +385,20 @@ std::vector<TrianglePair> BoxTree::meetingPairsWith(std::span<const TriangleId> 
     if (impl_->slot[a] == kNobody) return;
     const FloatBox box = geometry.box(a);
     const bool fixedA = !fixed.empty() && fixed[a] != 0;
-    const auto visit = [&](const auto& self, const Subtree& tree) -> void {
-      if (!impl_->box[tree.node].overlaps(box)) return;
-      if (!tree.isLeaf()) {
-        self(self, tree.left());
-        self(self, tree.right());
-        return;
-      }
-      const Leaf& leaf = impl_->leaves[tree.first];
-      unsigned candidates = leaf.overlaps(box);
-      for (std::uint32_t k = 0; candidates != 0; ++k, candidates >>= 1) {
-        const TriangleId b = leaf.id[k];
-        if ((candidates & 1) == 0 || b == a || (fixedA && fixed[b] != 0)) continue;
-        if (geometry.pairMeets(a, b)) found[i / kBlock].push_back(ordered(a, b));
-      }
-    };
-    visit(visit, impl_->root());
+    impl_->visit(impl_->root(), box, [&](TriangleId b) {
+      if (b == a || (fixedA && fixed[b] != 0) || !geometry.pairMeets(a, b)) return;
+      found[i / kBlock].push_back(ordered(a, b));
+    });
   });
   return sortedUnion(found);
+}
+
+std::vector<TriangleId> BoxTree::near(const Vec3& low, const Vec3& high) const {
+  std::vector<TriangleId> result;
+  if (impl_->leaves.empty()) return result;
+  impl_->visit(impl_->root(), boxOf(low, low, high), [&result](TriangleId t) { result.push_back(t); });
+  std::sort(result.begin(), result.end());
+  return result;
 }
 
 }  // namespace thicken::exact

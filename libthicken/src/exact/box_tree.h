@@ -46,6 +46,10 @@ class BoxTree {
                                                            std::span<const std::uint8_t> fixed,
                                                            const RunContext& context, int threads) const;
 
+  /// The triangles whose boxes overlap the box from `low` to `high` (which may be infinite), among
+  /// them all that reach into it, ascending.
+  [[nodiscard]] std::vector<TriangleId> near(const Vec3& low, const Vec3& high) const;
+
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
