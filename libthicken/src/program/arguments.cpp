@@ -2,10 +2,11 @@
 #include "program/arguments.h"
 
 #include <CLI/CLI.hpp>
-#include <cmath>
-#include <map>
+#include <algorithm>
 #include <string_view>
+#include <vector>
 
+#include "plan.h"
 #include "program/machine_memory.h"
 #include "thicken/error.h"
 #include "thicken/version.h"
@@ -17,59 +18,53 @@ constexpr double kMebibyte = 1024.0 * 1024.0;
 // Above this a number of mebibytes is a slip, and its bytes would not fit 64 bits.
 constexpr double kMostMebibytes = 1e12;
 
-// CLI11's own sentences for ranges name neither unit nor reason.
-CLI::Validator positive(const std::string& unit) {
-  return {[unit](std::string& text) -> std::string {
-            double value = 0;
-            if (!CLI::detail::lexical_cast(text, value)) return {};  // CLI11 reports what is no number
-            if (std::isfinite(value) && value > 0) return {};
-            return "it must be a number of " + unit + " above 0, not " + text;
-          },
-          ""};
-}
+// What the library has no opinion about, because it depends on the machine, is checked here;
+// requireValid() has the last word on everything else.
+constexpr int kMostThreads = 1024;
 
-CLI::Validator wholeWithin(int lowest, int highest) {
-  return {[lowest, highest](std::string& text) -> std::string {
+CLI::Validator threadNumber() {
+  return {[](std::string& text) -> std::string {
             int value = 0;
-            if (CLI::detail::lexical_cast(text, value) && value >= lowest && value <= highest) return {};
-            return "it must be a whole number from " + std::to_string(lowest) + " to " +
-                   std::to_string(highest) + ", not " + text;
+            if (CLI::detail::lexical_cast(text, value) && value >= 0 && value <= kMostThreads) return {};
+            return "it must be a whole number from 0 to " + std::to_string(kMostThreads) + ", not " + text;
           },
           ""};
 }
 
-const std::map<std::string, Side> kSides{
-    {"negative", Side::kNegative}, {"positive", Side::kPositive}, {"both", Side::kBoth}};
-const std::map<std::string, Method> kMethods{
-    {"auto", Method::kAuto}, {"sweep", Method::kSweep}, {"reconstruct", Method::kReconstruct}};
-
-// A choice by word; CLI11's own transformer lists the numbers behind the words, too.
-template <class Value>
-CLI::Option* addChoice(CLI::App& app, const std::string& flag, Value& value,
-                       const std::map<std::string, Value>& words, const std::string& help) {
-  std::string list;
-  for (const auto& [word, meaning] : words) list += (list.empty() ? "" : ", ") + word;
-  return app
-      .add_option_function<std::string>(
-          flag,
-          [&value, &words, flag, list](const std::string& word) {
-            const auto found = words.find(word);
-            if (found == words.end())
-              throw CLI::ValidationError(flag, "it must be one of " + list + ", not " + word);
-            value = found->second;
+CLI::Validator mebibytes() {
+  return {[](std::string& text) -> std::string {
+            double value = 0;
+            if (CLI::detail::lexical_cast(text, value) && value > 0 && value <= kMostMebibytes) return {};
+            return "it must be a number of MiB above 0, not " + text;
           },
-          help)
-      ->type_name("WORD");
+          ""};
+}
+
+// A choice by the words that the library prints. CLI11's own transformer lists the numbers behind
+// the words, too.
+template <class Value>
+void addChoice(CLI::App& app, const std::string& flag, Value& value, const std::vector<Value>& choices,
+               const std::string& help) {
+  std::string list;
+  for (const Value choice : choices) list += (list.empty() ? "" : ", ") + std::string(name(choice));
+  const auto choose = [&value, choices, flag, list](const std::string& word) {
+    const auto found =
+        std::find_if(choices.begin(), choices.end(), [&](Value choice) { return name(choice) == word; });
+    if (found == choices.end())
+      throw CLI::ValidationError(flag, "it must be one of " + list + ", not " + word);
+    value = *found;
+  };
+  app.add_option_function<std::string>(flag, choose, help + ": " + list)->type_name("WORD");
 }
 
 void describeRun(CLI::App& app, Arguments& arguments, double& memory) {
   app.add_option("--report", arguments.report, "Write the facts of the run to this file, as JSON")
       ->type_name("FILE");
   app.add_option("--threads", arguments.options.threads, "Threads; 0: all that the machine has")
-      ->check(wholeWithin(0, 4096))
+      ->check(threadNumber())
       ->type_name("T");
   app.add_option("--memory", memory, "Most memory that the run may take; default: what the machine has")
-      ->check(positive("MiB"))
+      ->check(mebibytes())
       ->type_name("MIB");
   app.add_flag("--quiet", arguments.quiet, "No progress, no warnings, no summary; errors are still printed");
   app.set_version_flag("--version", std::string("thicken ") + kVersion, "Print the version");
@@ -85,25 +80,17 @@ void describeThicken(CLI::App& app, Arguments& arguments) {
       ->required()
       ->type_name("");
   Options& options = arguments.options;
-  app.add_option("--thickness", options.thickness, "Thickness of the solid, mm")
-      ->required()
-      ->check(positive("millimetres"))
-      ->type_name("R");
-  addChoice(app, "--side", options.side, kSides,
-            "Side of the surface for the material: negative, positive, both");
-  addChoice(app, "--method", options.method, kMethods, "Way to build the solid: auto, sweep, reconstruct");
-  auto* cell = app.add_option("--cell", options.cell, "Width of the field's cells, mm");
-  cell->check(positive("millimetres"))->type_name("W");
-  auto* resolution = app.add_option("--resolution", options.resolution, "Cells along the longest side");
-  resolution->check(wholeWithin(1, 1 << 20))->type_name("N")->excludes(cell);
-  app.add_option("--tolerance", options.tolerance, "Farthest that the shell may be from its definition, mm")
-      ->check(positive("millimetres"))
-      ->type_name("E")
-      ->excludes(cell)
-      ->excludes(resolution);
-  app.add_option("--smooth", options.smooth, "Rounds of shape optimisation")
-      ->check(wholeWithin(0, 100))
-      ->type_name("ROUNDS");
+  app.add_option("--thickness", options.thickness, "Thickness of the solid, mm")->required()->type_name("R");
+  addChoice(app, "--side", options.side, {Side::kNegative, Side::kPositive, Side::kBoth},
+            "Side of the surface for the material");
+  addChoice(app, "--method", options.method, {Method::kAuto, Method::kSweep, Method::kReconstruct},
+            "Way to build the solid");
+  app.add_option("--cell", options.cell, "Width of the field's cells, mm")->type_name("W");
+  app.add_option("--resolution", options.resolution, "Or: cells along the longest side")->type_name("N");
+  app.add_option("--tolerance", options.tolerance,
+                 "Or: farthest that the shell may be from its definition, mm")
+      ->type_name("E");
+  app.add_option("--smooth", options.smooth, "Rounds of shape optimisation")->type_name("ROUNDS");
   app.add_flag("--repair", options.repair, "Mend a defective surface first and report every change");
 }
 
@@ -152,7 +139,7 @@ Request readArguments(int argc, const char* const* argv) {
   } catch (const CLI::ParseError& error) {
     throw usageError(error, command);
   }
-  if (memory > kMostMebibytes) memory = 0;
+  if (!check) requireValid(arguments.options);
   arguments.memoryLimit = memory > 0 ? static_cast<std::size_t>(memory * kMebibyte) : machineMemory();
   refuseSharedPaths(arguments);
   return {arguments, {}};

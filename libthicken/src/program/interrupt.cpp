@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "program/interrupt.h"
 
+#include <unistd.h>
+
 #include <csignal>
+
+#include "thicken/error.h"
+#include "thicken/io.h"
 
 namespace thicken::program {
 namespace {

@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Runs that succeed: formats, report, what is kept, what is printed."""
+
+import math
+import unittest
+
+from program_case import ProgramCase
+from surfaces import SQUARE, read_stl, turned_to_start, wave, write_off, write_ply
+
+
+class Success(ProgramCase):
+    def test_every_format_gives_a_closed_valid_solid(self):
+        write_off(self.folder / "in.off", wave(12))
+        for suffix in (".stl", ".ply", ".obj", ".off"):
+            with self.subTest(suffix):
+                self.assert_ok(self.run_program("in.off", "out" + suffix, "--thickness", 1))
+                self.assert_ok(self.run_program("check", "out" + suffix, "--report", "report.json"))
+                self.assertTrue(self.report()["input"]["closed"])
+        self.assert_ok(self.run_program("in.off", "out.3mf", "--thickness", 1))
+        self.assertEqual((self.folder / "out.3mf").read_bytes()[:2], b"PK", "a 3MF is a zip archive")
+
+    def test_every_triangle_of_the_surface_is_in_the_stl_bit_for_bit(self):
+        vertices, triangles = wave(15)
+        write_ply(self.folder / "in.ply", (vertices, triangles))
+        surface = {turned_to_start(tuple(vertices[i] for i in t)) for t in triangles}
+        reversed_surface = {turned_to_start((a, c, b)) for a, b, c in surface}
+        for side, kept in (("negative", surface), ("positive", reversed_surface)):
+            with self.subTest(side):
+                self.assert_ok(self.run_program("in.ply", "out.stl", "--thickness", 0.8, "--side", side))
+                solid = {turned_to_start(t) for t in read_stl(self.folder / "out.stl")}
+                self.assertEqual(kept - solid, set())
+
+    def test_a_plate_has_the_volume_of_area_times_thickness(self):
+        write_off(self.folder / "in.off", SQUARE)
+        for side, thickness in (("negative", 0.5), ("positive", 0.5), ("both", 1.0)):
+            with self.subTest(side):
+                run = self.run_program("in.off", "out.stl", "--thickness", 0.5, "--side", side, "--report", "report.json")
+                self.assert_ok(run)
+                self.assertAlmostEqual(self.report()["output"]["volume_mm3"], 16 * thickness, places=5)
+
+    def test_the_report_holds_facts_that_fit_the_files(self):
+        write_off(self.folder / "in.off", wave(12))
+        self.assert_ok(self.run_program("in.off", "out.stl", "--thickness", 1, "--threads", 1, "--report", "report.json"))
+        report = self.report()
+        self.assertEqual(report["status"], "ok")
+        self.assertEqual(report["input"], report["input"] | {"triangles": 288, "rims": 1, "components": 1, "closed": False})
+        self.assertEqual(report["parameters"]["thickness_mm"], 1)
+        self.assertEqual(report["parameters"]["threads"], 1)
+        output = report["output"]
+        self.assertEqual(output["triangles"], len(read_stl(self.folder / "out.stl")))
+        self.assertEqual(output["original_triangles"], 288)
+        self.assertEqual(output["triangles"],
+                         sum(output[k + "_triangles"] for k in ("original", "shell", "wall")))  # fmt: skip
+        self.assertAlmostEqual(output["volume_ml"] * 1000, output["volume_mm3"])
+        self.assertEqual(report["surface_deviation_mm"], 0)
+        self.assertTrue(all(report["audit"].values()), report["audit"])
+        self.assertLessEqual(report["shell_error"]["mean"], report["shell_error"]["p99"])
+        self.assertLessEqual(report["shell_error"]["p99"], report["shell_error"]["max"])
+        self.assertLessEqual(report["shell_error_full_depth"]["max"], report["shell_error"]["max"])
+        self.assertTrue(0 < report["thinnest_wall"]["share_of_thickness"] <= 1 + 1e-6)
+        self.assertTrue(0 <= report["thin_share"] <= 1)
+        self.assertGreater(report["memory"]["peak_bytes"], 1 << 20)
+        stages = {k: v for k, v in report["seconds"].items() if k != "total"}
+        self.assertTrue({"read", "write"} <= stages.keys())
+        self.assertTrue(math.isclose(sum(stages.values()), report["seconds"]["total"], rel_tol=1e-9))
+
+    def test_quiet_says_nothing(self):
+        write_off(self.folder / "in.off", wave(8))
+        run = self.run_program("in.off", "out.stl", "--thickness", 1, "--quiet")
+        self.assert_ok(run)
+        self.assertEqual(run.stdout + run.stderr, "")
+
+    def test_without_a_terminal_there_is_no_progress(self):
+        write_off(self.folder / "in.off", wave(8))
+        run = self.run_program("in.off", "out.stl", "--thickness", 0.2)
+        self.assert_ok(run)
+        self.assertNotRegex(run.stderr, r"[\r\x1b%]")
+
+    def test_a_thin_result_is_written_with_a_warning_that_quiet_silences(self):
+        # A narrow gutter between two slopes that face each other: no room for 6 mm below it.
+        ridge = ([(0, 0, 0), (1, 0, 4), (2, 0, 0), (0, 9, 0), (1, 9, 4), (2, 9, 0)],
+                 [(0, 1, 4), (0, 4, 3), (1, 2, 5), (1, 5, 4)])  # fmt: skip
+        write_off(self.folder / "in.off", ridge)
+        arguments = ("in.off", "out.stl", "--thickness", 6, "--side", "positive", "--report", "report.json")
+        run = self.run_program(*arguments)
+        if run.returncode == 0 and self.report()["thin_share"] == 0:
+            arguments = ("in.off", "out.stl", "--thickness", 6, "--report", "report.json")
+            run = self.run_program(*arguments)
+        self.assert_ok(run)
+        warnings = self.report()["warnings"]
+        self.assertTrue(warnings)
+        for warning in warnings:
+            self.assertIn(f"thicken: warning: {warning}", run.stderr)
+        self.assertEqual(self.run_program(*arguments, "--quiet").stderr, "")
+
+    def test_the_same_bytes_for_any_number_of_threads(self):
+        write_ply(self.folder / "in.ply", wave(40, height=6))
+        outputs = []
+        for threads in (1, 2, 5):
+            self.assert_ok(self.run_program("in.ply", "out.stl", "--thickness", 2, "--threads", threads))
+            outputs.append((self.folder / "out.stl").read_bytes())
+        self.assertEqual(outputs[0], outputs[1])
+        self.assertEqual(outputs[0], outputs[2])
+
+    def test_help_and_version_succeed(self):
+        for arguments, word in ((["--help"], "--thickness"), (["check", "--help"], "--report"), (["-h"], "--side")):
+            run = self.run_program(*arguments)
+            self.assert_ok(run)
+            self.assertIn(word, run.stdout)
+        run = self.run_program("--version")
+        self.assert_ok(run)
+        self.assertRegex(run.stdout, r"^thicken \d+\.\d+\.\d+\n$")
+
+    def test_check_says_what_the_surface_is(self):
+        write_off(self.folder / "in.off", wave(5))
+        run = self.run_program("check", "in.off", "--report", "report.json")
+        self.assert_ok(run)
+        self.assertIn("valid open surface", run.stdout)
+        self.assertEqual(self.report()["input"]["triangles"], 50)
+        self.assertEqual(self.report()["defects"], [])
+
+
+if __name__ == "__main__":
+    unittest.main()
