@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The main job in a FreeCAD without windows: import a scanned bone, thicken it, check and export it.
 
-Run by scripts/demo. The solid is a guide that fits the bone: it lies outside of it, and its inner
+Run by scripts/demo. The solid is a jacket that fits the bone: it lies outside of it, and its inner
 face is the scanned surface itself, triangle by triangle.
 """
 
@@ -19,7 +19,7 @@ import picture
 import ThickenWorkbench
 
 PROJECT = Path(__file__).resolve().parents[2]
-SURFACE = PROJECT / "examples" / "data" / "femur_lower.ply"
+SURFACE = PROJECT / "examples" / "data" / "femur.ply"
 THICKNESS = 3.0
 SIDE = "positive"
 
@@ -60,14 +60,14 @@ def corner_sets(mesh) -> set:
 
 def export(doc, source, feature, folder: Path) -> Path:
     """Write STL and document, and read the STL back: it has to hold S and be a solid still."""
-    stl = folder / "femur_guide.stl"
+    stl = folder / "femur_solid.stl"
     stl.unlink(missing_ok=True)
     feature.Mesh.write(str(stl))
     read_back = Mesh.Mesh(str(stl))
     require(read_back.CountFacets == feature.Mesh.CountFacets, "triangles were lost in the STL")
     check_with_freecad(read_back)
     require(corner_sets(source.Mesh) <= corner_sets(read_back), "the STL lacks triangles of the bone")
-    doc.saveAs(str(folder / "femur_guide.FCStd"))
+    doc.saveAs(str(folder / "femur_solid.FCStd"))
     return stl
 
 
@@ -106,9 +106,9 @@ def print_facts(feature) -> None:
 def main() -> int:
     folder = Path(os.environ.get("THICKEN_DEMO_OUT", PROJECT / "out"))
     folder.mkdir(parents=True, exist_ok=True)
-    png = folder / "femur_guide.png"
+    png = folder / "femur_solid.png"
     png.unlink(missing_ok=True)
-    doc = App.newDocument("FemurGuide")
+    doc = App.newDocument("Femur")
     source, feature = make_feature(doc)
     require(feature.Valid, "the result was not proved valid")
     check_with_freecad(feature.Mesh)

@@ -13,7 +13,7 @@ run("${CMAKE_COMMAND}" -S "${SOURCE}/examples/cpp" -B "${WORK}/build" -G "${GENE
     "-DCMAKE_BUILD_TYPE=${CONFIG}" "-DCMAKE_CXX_COMPILER=${COMPILER}"
     "-DCMAKE_PREFIX_PATH=${WORK}/prefix")
 run("${CMAKE_COMMAND}" --build "${WORK}/build" --config "${CONFIG}")
-run("${WORK}/build/thicken_example" "${SOURCE}/examples/data/femur_lower.ply" "${WORK}/out.stl" 2)
+run("${WORK}/build/thicken_example" "${SOURCE}/examples/data/femur.ply" "${WORK}/out.stl" 2)
 if(NOT EXISTS "${WORK}/out.stl")
   message(FATAL_ERROR "the example wrote nothing")
 endif()

@@ -14,8 +14,17 @@ namespace {
 // Never destroyed: a signal may arrive while the program ends.
 RunContext* interrupted = nullptr;
 
+// Only what is safe in a signal handler: lock-free atomics, unlink, write and _exit.
 extern "C" void cancelInterrupted(int) {
-  interrupted->cancel();
+  if (!interrupted->cancelled()) {
+    interrupted->cancel();
+    return;
+  }
+  abandonWrites();
+  constexpr char kLastLine[] = "\nthicken: cancelled: The run was cut off; nothing was written.\n";
+  const auto written = write(STDERR_FILENO, kLastLine, sizeof kLastLine - 1);
+  static_cast<void>(written);  // there is nobody else to tell
+  _exit(exitStatus(ErrorCode::kCancelled));
 }
 
 }  // namespace
