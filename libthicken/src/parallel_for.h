@@ -17,7 +17,11 @@ namespace thicken {
 
 /// Threads that a request of `threads` (0: all) means.
 [[nodiscard]] inline int threadCount(int threads) {
+#ifdef _OPENMP
   return threads > 0 ? threads : omp_get_max_threads();
+#else
+  return threads > 0 ? threads : 1;
+#endif
 }
 
 /// Calls body(i) for i in [0, n), in blocks of `grain`, on `threads` threads. Results must go to
