@@ -1,21 +1,24 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "plan.h"
 
-#include "thicken/error.h"
-
 #include <fmt/format.h>
 
 #include <cmath>
 #include <limits>
 
+#include "thicken/error.h"
+
 namespace thicken {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& sentence) { throw Error(ErrorCode::kInvalidArgument, sentence); }
+[[noreturn]] void refuse(const std::string& sentence) {
+  throw Error(ErrorCode::kInvalidArgument, sentence);
+}
 
 void requirePositive(double x, const char* what) {
-  if (!std::isfinite(x) || x <= 0) refuse(fmt::format("the {} must be a positive number of millimetres, not {}", what, x));
+  if (!std::isfinite(x) || x <= 0)
+    refuse(fmt::format("the {} must be a positive number of millimetres, not {}", what, x));
 }
 
 double largestCoordinate(const TriangleMesh& surface) {
@@ -32,16 +35,19 @@ void requireValid(const Options& options) {
   if (given > 1) refuse("give only one of cell, resolution and tolerance");
   if (options.cell) requirePositive(*options.cell, "cell width");
   if (options.cell && *options.cell >= options.thickness / 2)
-    refuse(fmt::format("the cell width must be less than half the thickness, {:.6g} mm, so that the surface and the shell "
-                       "do not share a cell (Remark 1 of the paper), not {:.6g} mm",
-                       options.thickness / 2, *options.cell));
+    refuse(fmt::format(
+        "the cell width must be less than half the thickness, {:.6g} mm, so that the surface and the shell "
+        "do not share a cell (Remark 1 of the paper), not {:.6g} mm",
+        options.thickness / 2, *options.cell));
   if (options.resolution && (*options.resolution < 4 || *options.resolution > 65536))
     refuse(fmt::format("the resolution must be from 4 to 65536 cells, not {}", *options.resolution));
   if (options.tolerance) requirePositive(*options.tolerance, "tolerance");
   if (options.smooth && (*options.smooth < 0 || *options.smooth > 100))
     refuse(fmt::format("the rounds of smoothing must be from 0 to 100, not {}", *options.smooth));
-  if (options.threads < 0) refuse(fmt::format("the number of threads must not be negative, and is {}", options.threads));
-  if (options.method == Method::kReconstruct) refuse("the method reconstruct is not available in this version; use auto or sweep");
+  if (options.threads < 0)
+    refuse(fmt::format("the number of threads must not be negative, and is {}", options.threads));
+  if (options.method == Method::kReconstruct)
+    refuse("the method reconstruct is not available in this version; use auto or sweep");
   if (options.repair) refuse("repair is not available in this version; mend the surface first");
 }
 
@@ -51,17 +57,21 @@ void requireRoom(const TriangleMesh& surface, const Options& options) {
   constexpr double kReach = 2;
   const double most = largestCoordinate(surface);
   if (!(most + kReach * options.thickness < kFloatMax))
-    throw Error(ErrorCode::kNotFinite,
-                fmt::format("coordinates as large as {:.6g} leave no room for a thickness of {:.6g} mm in single precision; "
-                            "scale the surface down or remove the vertices that lie far away",
-                            most, options.thickness));
+    throw Error(
+        ErrorCode::kNotFinite,
+        fmt::format(
+            "coordinates as large as {:.6g} leave no room for a thickness of {:.6g} mm in single precision; "
+            "scale the surface down or remove the vertices that lie far away",
+            most, options.thickness));
   constexpr double kLeastSteps = 64;
   const double step = std::ldexp(most, -23);
   if (options.thickness < kLeastSteps * step)
-    throw Error(ErrorCode::kNoSolid,
-                fmt::format("at coordinates as large as {:.6g} mm single precision holds steps of {:.3g} mm, too coarse for a "
-                            "thickness of {:.6g} mm; move the surface to the origin or ask for a larger thickness",
-                            most, step, options.thickness));
+    throw Error(
+        ErrorCode::kNoSolid,
+        fmt::format("at coordinates as large as {:.6g} mm single precision holds steps of {:.3g} mm, too "
+                    "coarse for a "
+                    "thickness of {:.6g} mm; move the surface to the origin or ask for a larger thickness",
+                    most, step, options.thickness));
 }
 
 std::size_t predictedBytes(const TriangleMesh& surface, const Options& options) {

@@ -4,10 +4,10 @@
 // leave room for the thickness, how much memory the run will take.
 #pragma once
 
+#include <cstddef>
+
 #include "thicken/mesh.h"
 #include "thicken/options.h"
-
-#include <cstddef>
 
 namespace thicken {
 

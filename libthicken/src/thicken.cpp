@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "thicken/thicken.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
 #include "check/audit.h"
 #include "measure/measure.h"
 #include "measure/stopwatch.h"
@@ -8,11 +13,6 @@
 #include "parallel_for.h"
 #include "plan.h"
 #include "sweep/sweep.h"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <utility>
 
 namespace thicken {
 
@@ -55,7 +55,8 @@ Solid assemble(SweepResult& swept, const SurfaceFacts& input, const Options& opt
   return solid;
 }
 
-void proveOrThrow(Solid& solid, const TriangleMesh& surface, Side side, const RunContext& context, int threads) {
+void proveOrThrow(Solid& solid, const TriangleMesh& surface, Side side, const RunContext& context,
+                  int threads) {
   AuditResult proof = audit(solid.mesh, surface, side, context, threads);
   solid.report.audit = proof.facts;
   if (proof.facts.passed()) return;
@@ -67,10 +68,12 @@ void requireTolerance(const Solid& solid, const Options& options) {
   if (!options.tolerance) return;
   const double worst = solid.report.shellError.max * options.thickness;
   if (worst <= *options.tolerance) return;
-  throw Error(ErrorCode::kNoSolid,
-              fmt::format("the shell is up to {:.4g} mm from its definition, which is more than the tolerance of {:.4g} mm; "
-                          "ask for a larger tolerance or a smaller thickness",
-                          worst, *options.tolerance));
+  throw Error(
+      ErrorCode::kNoSolid,
+      fmt::format(
+          "the shell is up to {:.4g} mm from its definition, which is more than the tolerance of {:.4g} mm; "
+          "ask for a larger tolerance or a smaller thickness",
+          worst, *options.tolerance));
 }
 
 void addWarnings(Report& report) {
@@ -78,7 +81,8 @@ void addWarnings(Report& report) {
   if (report.thinnestWall >= kThin * report.thickness) return;
   const Vec3& p = report.thinnestPlace;
   report.warnings.push_back(
-      fmt::format("the solid is thinner than asked in places: the thinnest wall is {:.4g} mm at ({:.6g}, {:.6g}, {:.6g}), and "
+      fmt::format("the solid is thinner than asked in places: the thinnest wall is {:.4g} mm at ({:.6g}, "
+                  "{:.6g}, {:.6g}), and "
                   "{:.2g} % of the surface has less than 0.9 of the thickness below it",
                   report.thinnestWall, p.x(), p.y(), p.z(), 100 * report.thinShare));
 }

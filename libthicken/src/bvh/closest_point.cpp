@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "thicken/closest_point.h"
 
+#include <cmath>
+
 #include "bvh/distance_tree.h"
 #include "mesh/normals.h"
 #include "mesh/topology.h"
-
-#include <cmath>
 
 namespace thicken {
 

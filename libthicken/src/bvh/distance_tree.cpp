@@ -146,8 +146,10 @@ struct DistanceTree::Builder {
       node.count[k] = count;
       for (int x = 0; x < 3; ++x) {
         const Box box = used ? parts[static_cast<std::size_t>(k)].box : Box();
-        node.low[x][k] = used ? roundDown(box.low[x] - tree.centre_[x] - slack) : std::numeric_limits<float>::max();
-        node.high[x][k] = used ? roundUp(box.high[x] - tree.centre_[x] + slack) : std::numeric_limits<float>::max();
+        node.low[x][k] =
+            used ? roundDown(box.low[x] - tree.centre_[x] - slack) : std::numeric_limits<float>::max();
+        node.high[x][k] =
+            used ? roundUp(box.high[x] - tree.centre_[x] + slack) : std::numeric_limits<float>::max();
       }
     }
     return id;

@@ -4,13 +4,12 @@
 // all three edges, else the nearest of the edges that it lies beyond.
 #pragma once
 
-#include "thicken/closest_point.h"
-#include "thicken/mesh.h"
-
 #include <Eigen/Geometry>
-
 #include <algorithm>
 #include <array>
+
+#include "thicken/closest_point.h"
+#include "thicken/mesh.h"
 
 namespace thicken {
 
@@ -41,7 +40,8 @@ inline Vec3 closestOnSegment(const Vec3& p, const Vec3& a, const Vec3& b, int& e
 
 /// Closest point to `p` on triangle `ids` with the given corners. Edges are evaluated from their
 /// lower to their higher vertex id, so that neighbours agree to the last bit on a shared edge.
-inline TriangleClosest closestOnTriangle(const Vec3& p, const std::array<Vec3, 3>& corner, const Triangle& ids) {
+inline TriangleClosest closestOnTriangle(const Vec3& p, const std::array<Vec3, 3>& corner,
+                                         const Triangle& ids) {
   const Vec3 n = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
   // The normal of a needle is rounding only; its edges are as near as its face to the last digit.
   const double n2 = n.squaredNorm();

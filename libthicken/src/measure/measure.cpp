@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "measure/measure.h"
 
-#include "mesh/topology.h"
-#include "parallel_for.h"
-
 #include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+
+#include "mesh/topology.h"
+#include "parallel_for.h"
 
 namespace thicken {
 
@@ -25,7 +24,8 @@ struct Sample {
 
 ErrorFacts summary(std::vector<Sample> samples) {
   std::erase_if(samples, [](const Sample& s) { return s.error < 0; });
-  std::sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) { return a.error < b.error; });
+  std::sort(samples.begin(), samples.end(),
+            [](const Sample& a, const Sample& b) { return a.error < b.error; });
   ErrorFacts facts;
   double total = 0;
   for (const Sample& s : samples) {
@@ -64,7 +64,8 @@ void measureShell(Solid& solid, const ClosestPointTree& tree, std::span<const st
       const Vec3 p = w[0] * solid.mesh.positions[t[0]] + w[1] * solid.mesh.positions[t[1]] +
                      w[2] * solid.mesh.positions[t[2]];
       const auto c = tree.closest(p);
-      samples[4 * i + static_cast<std::size_t>(k)] = {c->onRim ? -1 : std::abs(c->distance / r - 1), area / 4};
+      samples[4 * i + static_cast<std::size_t>(k)] = {c->onRim ? -1 : std::abs(c->distance / r - 1),
+                                                      area / 4};
     }
   });
   std::vector<Sample> fullSamples;
@@ -110,7 +111,8 @@ double volumeOf(const TriangleMesh& mesh) {
   const Vec3 origin = mesh.positions[mesh.triangles[0][0]];
   double volume = 0;
   for (const auto& [a, b, c] : mesh.triangles)
-    volume += (mesh.positions[a] - origin).cross(mesh.positions[b] - origin).dot(mesh.positions[c] - origin) / 6;
+    volume +=
+        (mesh.positions[a] - origin).cross(mesh.positions[b] - origin).dot(mesh.positions[c] - origin) / 6;
   return volume;
 }
 
@@ -127,7 +129,8 @@ void measure(Solid& solid, const TriangleMesh& surface, const ClosestPointTree& 
   report.vertices = solid.mesh.positions.size();
   for (const Region region : solid.region)
     ++(region == Region::kOriginal ? report.originalTriangles
-                                   : region == Region::kShell ? report.shellTriangles : report.wallTriangles);
+       : region == Region::kShell  ? report.shellTriangles
+                                   : report.wallTriangles);
   report.components = componentsOf(solid.mesh.positions.size(), solid.mesh.triangles).count;
   report.volume = volumeOf(solid.mesh);
   report.area = areaOf(solid.mesh);

@@ -4,12 +4,12 @@
 // and how thin the solid gets.
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include "thicken/closest_point.h"
 #include "thicken/result.h"
 #include "thicken/run_context.h"
-
-#include <cstdint>
-#include <span>
 
 namespace thicken {
 

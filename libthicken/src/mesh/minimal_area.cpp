@@ -2,15 +2,15 @@
 #include "mesh/minimal_area.h"
 
 #include <Eigen/Geometry>
-
 #include <algorithm>
 #include <limits>
 #include <utility>
 
 namespace thicken {
 
-std::vector<Triangle> minimalAreaTriangulation(std::span<const Vec3> positions, std::span<const VertexId> loop,
-                                               const EdgeSet& forbidden) {
+std::vector<Triangle> minimalAreaTriangulation(std::span<const Vec3> positions,
+                                               std::span<const VertexId> loop, const EdgeSet& forbidden,
+                                               const std::function<bool(const Triangle&)>& allowed) {
   const std::size_t n = loop.size();
   if (n < 3 || n > kLongestLoop) return {};
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
@@ -24,8 +24,7 @@ std::vector<Triangle> minimalAreaTriangulation(std::span<const Vec3> positions, 
   };
   const auto areaOf = [&](std::size_t i, std::size_t k, std::size_t j) {
     const Vec3 &a = positions[loop[i]], &b = positions[loop[k]], &c = positions[loop[j]];
-    const double x = (b - a).cross(c - a).norm();
-    return x > 0 ? x : kInfinite;
+    return (b - a).cross(c - a).norm();
   };
   for (std::size_t i = 0; i + 1 < n; ++i) area[at(i, i + 1)] = 0;
   for (std::size_t span = 2; span < n; ++span)
@@ -36,7 +35,7 @@ std::vector<Triangle> minimalAreaTriangulation(std::span<const Vec3> positions, 
         const double sum = area[at(i, k)] + area[at(k, j)];
         if (sum >= area[at(i, j)]) continue;
         const double whole = sum + areaOf(i, k, j);
-        if (whole >= area[at(i, j)]) continue;
+        if (whole >= area[at(i, j)] || !allowed({loop[i], loop[k], loop[j]})) continue;
         area[at(i, j)] = whole;
         apex[at(i, j)] = static_cast<std::uint32_t>(k);
       }

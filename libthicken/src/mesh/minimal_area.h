@@ -4,12 +4,13 @@
 // programming over its chords.
 #pragma once
 
-#include "thicken/mesh.h"
-
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <unordered_set>
 #include <vector>
+
+#include "thicken/mesh.h"
 
 namespace thicken {
 
@@ -17,10 +18,11 @@ namespace thicken {
 using EdgeSet = std::unordered_set<std::uint64_t>;
 
 /// Triangles over the vertices of `loop`, in its sense, without a chord that is in `forbidden` and
-/// without a triangle of exactly no area. Empty when there is none, or when the loop is too long
-/// for the cubic cost (kLongestLoop).
-[[nodiscard]] std::vector<Triangle> minimalAreaTriangulation(std::span<const Vec3> positions,
-                                                             std::span<const VertexId> loop, const EdgeSet& forbidden);
+/// of triangles that `allowed` accepts. Empty when there is none, or when the loop is too long for
+/// the cubic cost (kLongestLoop).
+[[nodiscard]] std::vector<Triangle> minimalAreaTriangulation(
+    std::span<const Vec3> positions, std::span<const VertexId> loop, const EdgeSet& forbidden,
+    const std::function<bool(const Triangle&)>& allowed);
 
 inline constexpr std::size_t kLongestLoop = 600;
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sweep/conflicts.h"
 
-#include "exact/predicates.h"
-
 #include <algorithm>
+
+#include "exact/predicates.h"
 
 namespace thicken {
 
@@ -50,8 +50,11 @@ Conflicts ConflictTester::after(std::span<const std::uint32_t> moved, const Conf
   const std::vector<TriangleId> triangles = trianglesOf(moved);
   tree_.refit(mesh_.positions, mesh_.triangles, triangles);
   Conflicts c;
-  c.pairs = tree_.meetingPairsWith(triangles, mesh_.positions, mesh_.triangles, mesh_.fixed, context_, threads_);
-  const auto stands = [&](TriangleId t) { return !std::binary_search(triangles.begin(), triangles.end(), t); };
+  c.pairs =
+      tree_.meetingPairsWith(triangles, mesh_.positions, mesh_.triangles, mesh_.fixed, context_, threads_);
+  const auto stands = [&](TriangleId t) {
+    return !std::binary_search(triangles.begin(), triangles.end(), t);
+  };
   for (const auto& p : before.pairs)
     if (stands(p.first) && stands(p.second)) c.pairs.push_back(p);
   for (const TriangleId t : before.flat)

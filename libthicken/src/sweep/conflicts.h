@@ -3,14 +3,14 @@
 // Exact, incremental tests of a sweep whose copies move: which triangles meet, which have no area.
 #pragma once
 
+#include <cstdint>
+#include <span>
+#include <vector>
+
 #include "exact/box_tree.h"
 #include "mesh/topology.h"
 #include "sweep/swept_mesh.h"
 #include "thicken/run_context.h"
-
-#include <cstdint>
-#include <span>
-#include <vector>
 
 namespace thicken {
 

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sweep/direction.h"
 
-#include "mesh/normals.h"
-
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
-
 #include <array>
 #include <cmath>
 #include <limits>
+
+#include "mesh/normals.h"
 
 namespace thicken {
 
@@ -75,9 +74,7 @@ Vec3 reduceSimplex(std::array<Vec3, 4>& simplex, int& size) {
     bestFace = face;
     bestCount = count;
   }
-  std::array<Vec3, 4> kept;
-  for (int i = 0; i < bestCount; ++i) kept[i] = simplex[bestFace[i]];
-  simplex = kept;
+  for (int i = 0; i < bestCount; ++i) simplex[i] = simplex[bestFace[i]];  // bestFace ascends
   size = bestCount;
   return best;
 }
@@ -142,7 +139,8 @@ std::vector<SweepDirection> sweepDirections(const TriangleMesh& surface, std::sp
   std::vector<EvenDirection> even(n);
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
     for (int k = 0; k < 3; ++k)
-      even[surface.triangles[t][k]].addFace(faceNormal[t], cornerAngle(surface.positions, surface.triangles[t], k));
+      even[surface.triangles[t][k]].addFace(faceNormal[t],
+                                            cornerAngle(surface.positions, surface.triangles[t], k));
   for (const RimEdge& e : rim.edges) {
     const Vec3 along = (surface.positions[e.to] - surface.positions[e.from]).stableNormalized();
     const Vec3 conormal = along.cross(faceNormal[e.triangle]);

@@ -6,11 +6,11 @@
 // the smallest n·m.
 #pragma once
 
-#include "mesh/topology.h"
-#include "thicken/mesh.h"
-
 #include <span>
 #include <vector>
+
+#include "mesh/topology.h"
+#include "thicken/mesh.h"
 
 namespace thicken {
 
@@ -20,7 +20,8 @@ struct SweepDirection {
 };
 
 /// One direction for every vertex of `surface` that a triangle uses.
-[[nodiscard]] std::vector<SweepDirection> sweepDirections(const TriangleMesh& surface, std::span<const Vec3> faceNormal,
+[[nodiscard]] std::vector<SweepDirection> sweepDirections(const TriangleMesh& surface,
+                                                          std::span<const Vec3> faceNormal,
                                                           const VertexTriangles& around, const Rim& rim);
 
 /// Point of least norm in the convex hull of `points`; zero when the hull holds the origin.

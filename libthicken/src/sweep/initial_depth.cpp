@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sweep/initial_depth.h"
 
-#include "parallel_for.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "parallel_for.h"
 
 namespace thicken {
 

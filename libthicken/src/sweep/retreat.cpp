@@ -12,19 +12,26 @@ namespace {
 // triangle's longest: it is not what reaches too far.
 constexpr double kMuchSmaller = 0.5;
 // What remains of the depth after a round; later rounds take more, to end soon.
-double remainder(std::size_t round) { return round < 8 ? 0.8 : round < 30 ? 0.65 : 0.5; }
+double remainder(std::size_t round) {
+  return round < 8 ? 0.8 : round < 30 ? 0.65 : 0.5;
+}
 // Least way of a copy in float steps of its coordinates: less is rounding, not depth.
 constexpr double kLeastSteps = 16;
 constexpr std::size_t kMostRounds = 400;
 
-double leastWay(const Vec3& base) { return kLeastSteps * std::ldexp(base.cwiseAbs().maxCoeff(), -23); }
+double leastWay(const Vec3& base) {
+  return kLeastSteps * std::ldexp(base.cwiseAbs().maxCoeff(), -23);
+}
 
-double wayOf(const Copy& c) { return c.depth * c.length; }
+double wayOf(const Copy& c) {
+  return c.depth * c.length;
+}
 
 // Lowers the deep copies of the triangles that meet; each copy at most once a round.
 class Drawback {
  public:
-  Drawback(SweptMesh& mesh, const ConflictTester& tester) : mesh_(mesh), tester_(tester), lowered_(mesh.copies.size(), 0) {}
+  Drawback(SweptMesh& mesh, const ConflictTester& tester)
+      : mesh_(mesh), tester_(tester), lowered_(mesh.copies.size(), 0) {}
 
   std::vector<std::uint32_t> apply(const Conflicts& conflicts, double share) {
     std::vector<std::uint32_t> ids;
@@ -54,14 +61,16 @@ class Drawback {
 
 std::vector<std::uint32_t> copiesOf(const Conflicts& conflicts, const ConflictTester& tester) {
   std::vector<std::uint32_t> ids;
-  conflicts.forTriangles([&](TriangleId t) { tester.forCopies(t, [&](std::uint32_t i) { ids.push_back(i); }); });
+  conflicts.forTriangles(
+      [&](TriangleId t) { tester.forCopies(t, [&](std::uint32_t i) { ids.push_back(i); }); });
   sortUnique(ids);
   return ids;
 }
 
 }  // namespace
 
-RetreatResult retreat(SweptMesh& mesh, const CopyGraph& graph, ConflictTester& tester, const RunContext& context) {
+RetreatResult retreat(SweptMesh& mesh, const CopyGraph& graph, ConflictTester& tester,
+                      const RunContext& context) {
   RetreatResult result;
   Drawback drawback(mesh, tester);
   Conflicts conflicts = tester.all();

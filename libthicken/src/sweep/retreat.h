@@ -4,14 +4,14 @@
 // coordinates, none meet; and lets them advance again as far as the tests allow.
 #pragma once
 
+#include <cstddef>
+#include <span>
+#include <vector>
+
 #include "sweep/conflicts.h"
 #include "sweep/slope_limit.h"
 #include "sweep/swept_mesh.h"
 #include "thicken/run_context.h"
-
-#include <cstddef>
-#include <span>
-#include <vector>
 
 namespace thicken {
 

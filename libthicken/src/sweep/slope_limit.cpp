@@ -39,7 +39,8 @@ CopyGraph copyGraph(const SweptMesh& mesh) {
   return graph;
 }
 
-std::vector<std::uint32_t> limitSlope(SweptMesh& mesh, const CopyGraph& graph, std::span<const std::uint32_t> from) {
+std::vector<std::uint32_t> limitSlope(SweptMesh& mesh, const CopyGraph& graph,
+                                      std::span<const std::uint32_t> from) {
   using Entry = std::pair<double, std::uint32_t>;  // way, copy
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
   const auto wayOf = [&](std::uint32_t i) { return mesh.copies[i].depth * mesh.copies[i].length; };

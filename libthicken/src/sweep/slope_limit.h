@@ -4,11 +4,11 @@
 // edges of S), so that no copied triangle stands steep.
 #pragma once
 
-#include "sweep/swept_mesh.h"
-
 #include <cstdint>
 #include <span>
 #include <vector>
+
+#include "sweep/swept_mesh.h"
 
 namespace thicken {
 
@@ -26,6 +26,7 @@ struct CopyGraph {
 /// Lowers depths until every way (depth·length) is at most a linked copy's way plus their slack,
 /// starting from the copies `from` (their depths are taken as they are; empty: from all). Returns the
 /// copies that it lowered, ascending.
-std::vector<std::uint32_t> limitSlope(SweptMesh& mesh, const CopyGraph& graph, std::span<const std::uint32_t> from);
+std::vector<std::uint32_t> limitSlope(SweptMesh& mesh, const CopyGraph& graph,
+                                      std::span<const std::uint32_t> from);
 
 }  // namespace thicken

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sweep/sweep.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
 #include "mesh/normals.h"
 #include "mesh/topology.h"
 #include "parallel_for.h"
@@ -8,23 +14,17 @@
 #include "sweep/initial_depth.h"
 #include "sweep/refill.h"
 #include "sweep/retreat.h"
+#include "sweep/split.h"
 #include "sweep/swept_mesh.h"
 #include "thicken/error.h"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <utility>
 
 namespace thicken {
 
 namespace {
 
-// Below this smallest n·m/|m| no depth that a float can tell from 0 keeps a copy behind all its
-// triangles.
-constexpr double kLeastSafety = 0.02;
 // A copy in the way of its neighbours is dropped; holes that grow this often do not end.
 constexpr int kMostRefills = 12;
+constexpr int kMostGrowths = 4;
 
 [[noreturn]] void throwNoSolid(const SweptMesh& mesh, const std::vector<std::uint32_t>& stuck) {
   const VertexId v = mesh.copies[stuck.front()].base;
@@ -37,21 +37,53 @@ constexpr int kMostRefills = 12;
   d.vertices.resize(std::min(d.vertices.size(), Defect::kMaxListed));
   d.place = p;
   d.sentence = fmt::format(
-      "no solid could be made below {} vertices, the first of them vertex {} at ({:.6g}, {:.6g}, {:.6g}): the surface is "
+      "no solid could be made below {} vertices, the first of them vertex {} at ({:.6g}, {:.6g}, {:.6g}): "
+      "the surface is "
       "folded too sharply there for the precision of its coordinates; smooth or remesh it around that place",
       d.count, v, p.x(), p.y(), p.z());
   const std::string sentence = d.sentence;
   throw Error(ErrorCode::kNoSolid, sentence, {std::move(d)});
 }
 
-void dropOrThrow(SweptMesh& mesh, const std::vector<std::uint32_t>& copies) {
-  if (!copies.empty() && !dropAndRefill(mesh, copies)) throwNoSolid(mesh, copies);
+// Drops copies; where a hole cannot be filled, those around it as well.
+void dropOrThrow(SweptMesh& mesh, std::vector<std::uint32_t> copies) {
+  for (int growths = 0; !copies.empty(); ++growths) {
+    const auto unfilled = dropAndRefill(mesh, copies);
+    if (unfilled.empty()) return;
+    if (growths == kMostGrowths) throwNoSolid(mesh, copies);
+    const std::size_t before = copies.size();
+    copies.insert(copies.end(), unfilled.begin(), unfilled.end());
+    sortUnique(copies);
+    if (copies.size() == before) throwNoSolid(mesh, copies);
+  }
+}
+
+// Merges copies without a direction with a neighbour, nearest first: slivers that are folded over
+// vanish from the shell that way, and with them what the directions could not agree on.
+void collapseFolds(SweptMesh& mesh) {
+  for (std::uint32_t i = 0; i < mesh.copies.size(); ++i) {
+    if (mesh.copies[i].safety >= kLeastSafety || mesh.copies[i].dropped) continue;
+    std::vector<std::pair<double, std::uint32_t>> neighbours;
+    for (std::size_t t = mesh.surfaceTriangles; t < mesh.triangles.size(); ++t) {
+      const Triangle& s = mesh.triangles[t];
+      if (std::find(s.begin(), s.end(), mesh.vertexOf(i)) == s.end()) continue;
+      for (const VertexId v : s)
+        if (mesh.isCopy(v) && v != mesh.vertexOf(i))
+          neighbours.emplace_back(
+              (mesh.positions[mesh.copyOf(v).base] - mesh.positions[mesh.copies[i].base]).norm(),
+              static_cast<std::uint32_t>(v - mesh.surfaceVertices));
+    }
+    std::sort(neighbours.begin(), neighbours.end());
+    neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+    for (const auto& [length, j] : neighbours)
+      if (collapseCopies(mesh, std::array{i, j})) break;
+  }
 }
 
 std::vector<std::uint32_t> copiesWithoutDirection(const SweptMesh& mesh) {
   std::vector<std::uint32_t> ids;
   for (std::uint32_t i = 0; i < mesh.copies.size(); ++i)
-    if (mesh.copies[i].safety < kLeastSafety) ids.push_back(i);
+    if (mesh.copies[i].safety < kLeastSafety && !mesh.copies[i].dropped) ids.push_back(i);
   return ids;
 }
 
@@ -78,13 +110,14 @@ std::size_t settle(SweptMesh& mesh, const RunContext& context, int threads) {
 }
 
 bool isFull(const SweptMesh& mesh, TriangleId t) {
-  return mesh.region[t] == Region::kShell && std::all_of(mesh.triangles[t].begin(), mesh.triangles[t].end(), [&](VertexId v) {
-           return mesh.isCopy(v) && mesh.copyOf(v).depth == 1;
-         });
+  return mesh.region[t] == Region::kShell &&
+         std::all_of(mesh.triangles[t].begin(), mesh.triangles[t].end(),
+                     [&](VertexId v) { return mesh.isCopy(v) && mesh.copyOf(v).depth == 1; });
 }
 
 // Depth below each vertex of S: the distance of its copy from S; of two copies the lesser.
-std::vector<double> depthsOf(const SweptMesh& mesh, const ClosestPointTree& tree, const RunContext& context, int threads) {
+std::vector<double> depthsOf(const SweptMesh& mesh, const ClosestPointTree& tree, const RunContext& context,
+                             int threads) {
   std::vector<double> way(mesh.copies.size(), 0);
   parallelFor(mesh.copies.size(), threads, context, 512, [&](std::size_t i) {
     if (!mesh.copies[i].dropped) way[i] = tree.distance(mesh.positions[mesh.vertexOf(i)]);
@@ -131,9 +164,12 @@ SweepResult sweep(const TriangleMesh& surface, const ClosestPointTree& tree, dou
   const Rim rim = rimOf(surface.positions.size(), surface.triangles);
   const auto direction = sweepDirections(surface, normal, around, rim);
   SweptMesh mesh = sweepMesh(surface, direction, rim, thickness, side);
+  markBlockedRimCopies(mesh, around, rim);
+  collapseFolds(mesh);
+  const auto unserved = splitCopies(mesh, normal, around, thickness, copiesWithoutDirection(mesh));
+  dropOrThrow(mesh, unserved);
   setInitialDepths(mesh, tree, context, threads);
   for (std::size_t i = 0; i < mesh.copies.size(); ++i) mesh.place(i);
-  dropOrThrow(mesh, copiesWithoutDirection(mesh));
   const std::size_t rounds = settle(mesh, context, threads);
   return finish(mesh, tree, side, rounds, context, threads);
 }

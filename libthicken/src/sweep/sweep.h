@@ -4,14 +4,14 @@
 // valid solid with S kept; as thick as asked where the offset is not cut off.
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "thicken/closest_point.h"
 #include "thicken/mesh.h"
 #include "thicken/options.h"
 #include "thicken/result.h"
 #include "thicken/run_context.h"
-
-#include <cstdint>
-#include <vector>
 
 namespace thicken {
 
@@ -26,7 +26,7 @@ struct SweepResult {
 
 /// Sweeps `surface` (valid, welded) by `thickness` mm to its negative side or to both. `tree` is the
 /// tree of `surface`. Throws kNoSolid with the place where not even the least depth is clear.
-[[nodiscard]] SweepResult sweep(const TriangleMesh& surface, const ClosestPointTree& tree, double thickness, Side side,
-                                const RunContext& context, int threads);
+[[nodiscard]] SweepResult sweep(const TriangleMesh& surface, const ClosestPointTree& tree, double thickness,
+                                Side side, const RunContext& context, int threads);
 
 }  // namespace thicken

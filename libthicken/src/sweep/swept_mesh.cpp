@@ -56,6 +56,7 @@ SweptMesh sweepMesh(const TriangleMesh& surface, std::span<const SweepDirection>
   SweptMesh mesh;
   mesh.surfaceVertices = surface.positions.size();
   mesh.surfaceTriangles = surface.triangles.size();
+  mesh.thickness = thickness;
   mesh.positions = surface.positions;
   mesh.triangles = surface.triangles;
   mesh.region.assign(surface.triangles.size(), Region::kOriginal);

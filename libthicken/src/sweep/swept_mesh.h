@@ -5,15 +5,15 @@
 // vertex, and S itself only keeps the two apart.
 #pragma once
 
+#include <cstdint>
+#include <span>
+#include <vector>
+
 #include "mesh/topology.h"
 #include "sweep/direction.h"
 #include "thicken/mesh.h"
 #include "thicken/options.h"
 #include "thicken/result.h"
-
-#include <cstdint>
-#include <span>
-#include <vector>
 
 namespace thicken {
 
@@ -28,25 +28,28 @@ struct Copy {
 };
 
 struct SweptMesh {
-  std::size_t surfaceVertices = 0;     ///< the copies' vertices follow S's
-  std::size_t surfaceTriangles = 0;    ///< S's triangles come first
+  std::size_t surfaceVertices = 0;   ///< the copies' vertices follow S's
+  std::size_t surfaceTriangles = 0;  ///< S's triangles come first
   std::vector<Vec3> positions;
   std::vector<Triangle> triangles;
-  std::vector<Region> region;          ///< per triangle
-  std::vector<std::uint8_t> fixed;     ///< per triangle: 1 for S
-  std::vector<Copy> copies;            ///< copy i is vertex surfaceVertices + i
+  std::vector<Region> region;       ///< per triangle
+  std::vector<std::uint8_t> fixed;  ///< per triangle: 1 for S
+  std::vector<Copy> copies;         ///< copy i is vertex surfaceVertices + i
+  double thickness = 0;             ///< mm
 
   [[nodiscard]] bool isCopy(VertexId v) const { return v >= surfaceVertices; }
   [[nodiscard]] Copy& copyOf(VertexId v) { return copies[v - surfaceVertices]; }
   [[nodiscard]] const Copy& copyOf(VertexId v) const { return copies[v - surfaceVertices]; }
-  [[nodiscard]] VertexId vertexOf(std::size_t copy) const { return static_cast<VertexId>(surfaceVertices + copy); }
+  [[nodiscard]] VertexId vertexOf(std::size_t copy) const {
+    return static_cast<VertexId>(surfaceVertices + copy);
+  }
   /// Moves a copy's vertex to where its depth puts it.
   void place(std::size_t copy);
 };
 
 /// The sweep of `surface` to depth 1 on `side` (kNegative or kBoth; the caller reverses S for
 /// kPositive). `thickness` in mm.
-[[nodiscard]] SweptMesh sweepMesh(const TriangleMesh& surface, std::span<const SweepDirection> direction, const Rim& rim,
-                                  double thickness, Side side);
+[[nodiscard]] SweptMesh sweepMesh(const TriangleMesh& surface, std::span<const SweepDirection> direction,
+                                  const Rim& rim, double thickness, Side side);
 
 }  // namespace thicken
