@@ -6,9 +6,15 @@
 #include <limits>
 
 namespace thicken::io {
+namespace {
 
-std::uint32_t CornerGrid::clamped(double cell) const {
-  return static_cast<std::uint32_t>(std::clamp(cell, 0.0, side_ - 1.0));
+// Extents of points of size 1 below which a division by them could overflow.
+constexpr double kFlat = 1e-290;
+
+}  // namespace
+
+std::uint32_t CornerGrid::clamped(double cell, std::uint32_t cells) {
+  return static_cast<std::uint32_t>(std::clamp(cell, 0.0, cells - 1.0));
 }
 
 CornerGrid::Span CornerGrid::spanInRow(const std::array<Vec3, 3>& triangle, double bottom, double top) {
@@ -33,27 +39,49 @@ CornerGrid::Span CornerGrid::spanInRow(const std::array<Vec3, 3>& triangle, doub
 }
 
 void CornerGrid::build(std::span<const Vec3> points, std::vector<std::uint32_t> corners) {
-  side_ = 0;
+  rows_ = 0;
   if (corners.empty()) return;
   Vec3 low = points[corners[0]], high = low;
   for (const std::uint32_t corner : corners) {
     low = low.cwiseMin(points[corner]);
     high = high.cwiseMax(points[corner]);
   }
-  side_ = static_cast<std::uint32_t>(std::ceil(std::sqrt(static_cast<double>(corners.size()))));
+  const auto count = static_cast<double>(corners.size());
+  const Vec3 extent = high - low;
+  // Rows cost more than cells; a triangle reaches across few of them when they lie along the points.
+  upright_ = extent.y() > extent.x();
+  const double width = extent[upright_ ? 1 : 0], height = extent[upright_ ? 0 : 1];
+  // As square as they can be for one corner a cell.
+  const double columns = height > kFlat ? std::sqrt(count * (width / height)) : count;
+  columns_ = 1 + clamped(columns, static_cast<std::uint32_t>(corners.size()));
+  rows_ = 1 + static_cast<std::uint32_t>(count) / columns_;
   low_ = low;
-  for (int k = 0; k < 2; ++k) cellsPerUnit_[k] = high[k] > low[k] ? side_ / (high[k] - low[k]) : 0;
+  cellsPerUnit_ = Vec3::Zero();
+  if (width > kFlat) cellsPerUnit_[upright_ ? 1 : 0] = columns_ / width;
+  if (height > kFlat) cellsPerUnit_[upright_ ? 0 : 1] = rows_ / height;
 
-  const auto cellOf = [this, &points](std::uint32_t corner) {
-    const Vec3 at = inCells(points[corner]);
-    return clamped(at.y()) * side_ + clamped(at.x());
-  };
-  begin_.assign(std::size_t{side_} * side_ + 1, 0);
-  for (const std::uint32_t corner : corners) ++begin_[cellOf(corner) + 1];
+  begin_.assign(std::size_t{rows_} * columns_ + 1, 0);
+  for (const std::uint32_t corner : corners) ++begin_[cellOf(inCells(points[corner])) + 1];
   for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
-  std::vector<std::uint32_t> place(begin_.begin(), begin_.end() - 1);
+  end_.assign(begin_.begin(), begin_.end() - 1);
   corners_.resize(corners.size());
-  for (const std::uint32_t corner : corners) corners_[place[cellOf(corner)]++] = corner;
+  points_.resize(corners.size());
+  place_.resize(points.size());
+  for (const std::uint32_t corner : corners) {
+    const Vec3 point = inCells(points[corner]);
+    const std::uint32_t i = end_[cellOf(point)]++;
+    corners_[i] = corner;
+    points_[i] = point;
+    place_[corner] = i;
+  }
+}
+
+void CornerGrid::remove(std::uint32_t corner) {
+  const std::uint32_t i = place_[corner];
+  const std::uint32_t last = --end_[cellOf(points_[i])];
+  corners_[i] = corners_[last];
+  points_[i] = points_[last];
+  place_[corners_[i]] = i;
 }
 
 }  // namespace thicken::io

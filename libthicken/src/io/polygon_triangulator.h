@@ -44,6 +44,7 @@ class PolygonTriangulator {
   void prepareCorners();
   void offer(std::uint32_t corner);
   void offerAll(std::uint32_t from);
+  void clearWay(std::uint32_t corner);
   [[nodiscard]] bool passes(const Cut& cut, Rule rule);
   [[nodiscard]] bool blocks(const Cut& cut, std::uint32_t corner, bool borderToo) const;
   [[nodiscard]] int turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
