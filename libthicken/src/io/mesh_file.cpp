@@ -79,7 +79,8 @@ Precision storedPrecision(const std::filesystem::path& path) {
 TriangleMesh readMesh(const std::filesystem::path& path) {
   const io::Format& format = readable(path);
   try {
-    return weld(format.read(io::SourceFile(path)));
+    const TriangleMesh mesh = format.read(io::SourceFile(path));  // the bytes go before the welding
+    return weld(mesh);
   } catch (const std::bad_alloc&) {
     throw Error(ErrorCode::kMemoryLimit,
                 io::quoted(path) + ": the memory of this machine does not suffice to read the file.");

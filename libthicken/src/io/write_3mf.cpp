@@ -76,6 +76,9 @@ void addPart(zip_t* archive, const char* name, std::string_view bytes, const Tar
   const zip_int64_t index = zip_file_add(archive, name, source.get(), ZIP_FL_ENC_UTF_8);
   require(index >= 0, zip_strerror(archive), file);
   source.release();  // the archive's from here on
+  // Level 1 of 9: 6, the default, takes eight times as long for a seventh less.
+  require(zip_set_file_compression(archive, static_cast<zip_uint64_t>(index), ZIP_CM_DEFLATE, 1) == 0,
+          zip_strerror(archive), file);
   // 1980-01-01 00:00, the beginning of the archive's calendar, in place of now.
   constexpr zip_uint16_t kTime = 0, kDate = (1 << 5) | 1;
   require(zip_file_set_dostime(archive, static_cast<zip_uint64_t>(index), kTime, kDate, 0) == 0,
