@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""One licence line in every source, one version everywhere, and what the library may not do."""
+
+import os
+import re
+import unittest
+from pathlib import Path
+
+PROJECT = Path(__file__).resolve().parents[2]
+VERSION = os.environ["THICKEN_VERSION"]
+SOURCES = (".h", ".cpp", ".py", ".pyi", ".cmake", ".h.in", ".cmake.in")
+FOLDERS = ("libthicken", "ThickenWorkbench", "cmake", "examples", "tests")
+
+
+def sources(*folders: str) -> list[Path]:
+    files = [f for folder in folders for f in (PROJECT / folder).rglob("*") if f.is_file()]
+    return [f for f in files if f.name.endswith(SOURCES) or f.name == "CMakeLists.txt"]
+
+
+def offenders(files: list[Path], pattern: str) -> list[str]:
+    return [str(f.relative_to(PROJECT)) for f in files if re.search(pattern, f.read_text(), re.MULTILINE)]
+
+
+class Rules(unittest.TestCase):
+    def test_every_source_names_the_licence_first(self):
+        files = sources(*FOLDERS) + [f for f in (PROJECT / "scripts").iterdir() if f.is_file()]
+        self.assertGreater(len(files), 50)
+        missing = [str(f.relative_to(PROJECT)) for f in files
+                   if "SPDX-License-Identifier: LGPL-2.1-or-later" not in "".join(f.read_text().splitlines()[:2])]  # fmt: skip
+        self.assertEqual(missing, [])
+
+    def test_one_version_everywhere(self):
+        for name, pattern in (
+            ("package.xml", r"<version>([^<]+)</version>"),
+            ("ThickenWorkbench/__init__.py", r'__version__ = "([^"]+)"'),
+            ("CHANGELOG.md", r"^## (\S+)"),
+        ):
+            with self.subTest(name):
+                found = re.search(pattern, (PROJECT / name).read_text(), re.MULTILINE)
+                self.assertIsNotNone(found, f"{name} has no version")
+                self.assertEqual(found[1], VERSION)
+
+    def test_the_library_prints_nothing_and_knows_nothing_of_freecad(self):
+        library = [f for f in sources("libthicken/src", "libthicken/include") if "program" not in f.parts]
+        self.assertGreater(len(library), 20)
+        self.assertEqual(offenders(library, r"std::(cout|cerr|clog)|\bprintf\(|#include <iostream>"), [])
+        self.assertEqual(offenders(library, r"#include [<\"](FreeCAD|App/|Base/|Mesh/|Python\.h|pybind11)"), [])
+
+    def test_loops_over_threads_go_through_parallel_for(self):
+        files = [f for f in sources("libthicken/src") if f.name != "parallel_for.h"]
+        self.assertEqual(offenders(files, r"^\s*#pragma omp|#include <omp\.h>"), [])
+
+    def test_headers_are_safe_to_include(self):
+        headers = sources("libthicken/include")
+        self.assertEqual(offenders(headers, r"using namespace "), [])
+        self.assertEqual([str(h) for h in headers if h.name.endswith(".h") and "#pragma once" not in h.read_text()], [])
+
+
+if __name__ == "__main__":
+    unittest.main()
