@@ -67,6 +67,15 @@ std::vector<std::uint32_t> copiesOf(const Conflicts& conflicts, const ConflictTe
   return ids;
 }
 
+// The copies and those they are linked to: what a bound on the slope of the copies can come from.
+std::vector<std::uint32_t> withNeighbours(const std::vector<std::uint32_t>& copies, const CopyGraph& graph) {
+  std::vector<std::uint32_t> all = copies;
+  for (const std::uint32_t i : copies)
+    for (std::uint32_t k = graph.offset[i]; k < graph.offset[i + 1]; ++k) all.push_back(graph.links[k].copy);
+  sortUnique(all);
+  return all;
+}
+
 }  // namespace
 
 RetreatResult retreat(SweptMesh& mesh, const CopyGraph& graph, ConflictTester& tester,
@@ -108,7 +117,7 @@ void advance(SweptMesh& mesh, const CopyGraph& graph, ConflictTester& tester, st
       raised.push_back(i);
     }
     if (raised.empty()) break;
-    limitSlope(mesh, graph, {});
+    limitSlope(mesh, graph, withNeighbours(raised, graph));
     std::erase_if(raised, [&](std::uint32_t i) { return mesh.copies[i].depth <= before[i]; });
     for (const std::uint32_t i : raised) mesh.place(i);
     Conflicts conflicts = tester.after(raised, {});

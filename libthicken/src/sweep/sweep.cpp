@@ -5,15 +5,19 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
+#include <span>
 #include <utility>
 
+#include "bvh/distance_tree.h"
 #include "mesh/normals.h"
 #include "mesh/topology.h"
 #include "parallel_for.h"
 #include "sweep/direction.h"
 #include "sweep/initial_depth.h"
-#include "sweep/refill.h"
 #include "sweep/retreat.h"
+#include "sweep/shell_surgery.h"
 #include "sweep/split.h"
 #include "sweep/swept_mesh.h"
 #include "thicken/error.h"
@@ -46,37 +50,28 @@ constexpr int kMostGrowths = 4;
 }
 
 // Drops copies; where a hole cannot be filled, those around it as well.
-void dropOrThrow(SweptMesh& mesh, std::vector<std::uint32_t> copies) {
-  for (int growths = 0; !copies.empty(); ++growths) {
-    const auto unfilled = dropAndRefill(mesh, copies);
+void dropOrThrow(SweptMesh& mesh, const VertexTriangles& around, std::vector<std::uint32_t> copies) {
+  if (copies.empty()) return;
+  ShellSurgery shell(mesh, around);
+  for (int growths = 0;; ++growths) {
+    const auto unfilled = shell.drop(copies);
     if (unfilled.empty()) return;
-    if (growths == kMostGrowths) throwNoSolid(mesh, copies);
     const std::size_t before = copies.size();
     copies.insert(copies.end(), unfilled.begin(), unfilled.end());
     sortUnique(copies);
-    if (copies.size() == before) throwNoSolid(mesh, copies);
+    if (growths == kMostGrowths || copies.size() == before) throwNoSolid(mesh, copies);
   }
 }
 
 // Merges copies without a direction with a neighbour, nearest first: slivers that are folded over
 // vanish from the shell that way, and with them what the directions could not agree on.
-void collapseFolds(SweptMesh& mesh) {
-  for (std::uint32_t i = 0; i < mesh.copies.size(); ++i) {
-    if (mesh.copies[i].safety >= kLeastSafety || mesh.copies[i].dropped) continue;
-    std::vector<std::pair<double, std::uint32_t>> neighbours;
-    for (std::size_t t = mesh.surfaceTriangles; t < mesh.triangles.size(); ++t) {
-      const Triangle& s = mesh.triangles[t];
-      if (std::find(s.begin(), s.end(), mesh.vertexOf(i)) == s.end()) continue;
-      for (const VertexId v : s)
-        if (mesh.isCopy(v) && v != mesh.vertexOf(i))
-          neighbours.emplace_back(
-              (mesh.positions[mesh.copyOf(v).base] - mesh.positions[mesh.copies[i].base]).norm(),
-              static_cast<std::uint32_t>(v - mesh.surfaceVertices));
-    }
-    std::sort(neighbours.begin(), neighbours.end());
-    neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
-    for (const auto& [length, j] : neighbours)
-      if (collapseCopies(mesh, std::array{i, j})) break;
+void mergeFolds(SweptMesh& mesh, const VertexTriangles& around, const std::vector<std::uint32_t>& ids) {
+  if (ids.empty()) return;
+  ShellSurgery shell(mesh, around);
+  for (const std::uint32_t i : ids) {
+    if (mesh.copies[i].safety >= kLeastSafety || mesh.copies[i].dropped) continue;  // mended meanwhile
+    for (const std::uint32_t j : shell.neighboursOf(i))
+      if (shell.merge(std::array{i, j})) break;
   }
 }
 
@@ -88,7 +83,7 @@ std::vector<std::uint32_t> copiesWithoutDirection(const SweptMesh& mesh) {
 }
 
 // Draws back, drops what stays in the way, and lets the rest advance again; returns the rounds.
-std::size_t settle(SweptMesh& mesh, const RunContext& context, int threads) {
+std::size_t settle(SweptMesh& mesh, const VertexTriangles& around, const RunContext& context, int threads) {
   std::size_t rounds = 0;
   std::vector<double> goal(mesh.copies.size());
   for (int refills = 0;; ++refills) {
@@ -105,7 +100,7 @@ std::size_t settle(SweptMesh& mesh, const RunContext& context, int threads) {
       return rounds;
     }
     if (refills == kMostRefills) throwNoSolid(mesh, result.stuck);
-    dropOrThrow(mesh, result.stuck);
+    dropOrThrow(mesh, around, result.stuck);
   }
 }
 
@@ -115,18 +110,29 @@ bool isFull(const SweptMesh& mesh, TriangleId t) {
                      [&](VertexId v) { return mesh.isCopy(v) && mesh.copyOf(v).depth == 1; });
 }
 
-// Depth below each vertex of S: the distance of its copy from S; of two copies the lesser.
+// Depth below each vertex of S: the distance of its copy from S, of two copies the lesser; without a
+// copy the distance to the shell.
 std::vector<double> depthsOf(const SweptMesh& mesh, const ClosestPointTree& tree, const RunContext& context,
                              int threads) {
-  std::vector<double> way(mesh.copies.size(), 0);
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  std::vector<double> way(mesh.copies.size(), kInfinite);
   parallelFor(mesh.copies.size(), threads, context, 512, [&](std::size_t i) {
     if (!mesh.copies[i].dropped) way[i] = tree.distance(mesh.positions[mesh.vertexOf(i)]);
   });
-  std::vector<double> depth(mesh.surfaceVertices, std::numeric_limits<double>::infinity());
+  std::vector<double> depth(mesh.surfaceVertices, kInfinite);
   for (std::size_t i = 0; i < way.size(); ++i) {
     double& d = depth[mesh.copies[i].base];
     d = std::min(d, way[i]);
   }
+  if (std::none_of(mesh.copies.begin(), mesh.copies.end(), [](const Copy& c) { return c.dropped; }))
+    return depth;
+  const DistanceTree shell(mesh.positions, std::span(mesh.triangles).subspan(mesh.surfaceTriangles));
+  for (std::size_t v = 0; v < depth.size(); ++v)
+    if (depth[v] == kInfinite) {
+      DistanceTree::Hit hit{{Vec3::Zero(), kInfinite, Feature::kFace, 0}, kNone};
+      shell.nearest(mesh.positions[v], hit);
+      depth[v] = std::sqrt(hit.closest.squaredDistance);
+    }
   return depth;
 }
 
@@ -165,12 +171,12 @@ SweepResult sweep(const TriangleMesh& surface, const ClosestPointTree& tree, dou
   const auto direction = sweepDirections(surface, normal, around, rim);
   SweptMesh mesh = sweepMesh(surface, direction, rim, thickness, side);
   markBlockedRimCopies(mesh, around, rim);
-  collapseFolds(mesh);
+  mergeFolds(mesh, around, copiesWithoutDirection(mesh));
   const auto unserved = splitCopies(mesh, normal, around, thickness, copiesWithoutDirection(mesh));
-  dropOrThrow(mesh, unserved);
+  dropOrThrow(mesh, around, unserved);
   setInitialDepths(mesh, tree, context, threads);
   for (std::size_t i = 0; i < mesh.copies.size(); ++i) mesh.place(i);
-  const std::size_t rounds = settle(mesh, context, threads);
+  const std::size_t rounds = settle(mesh, around, context, threads);
   return finish(mesh, tree, side, rounds, context, threads);
 }
 
