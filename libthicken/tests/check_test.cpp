@@ -184,11 +184,11 @@ TEST(Check, FindsEveryKindAtOnce) {
   const TriangleMesh spike{{{5.4, 5.5, -2}, {5.5, 5.4, -2}, {5.45, 5.5, 2}}, {{0, 1, 2}}};
   mesh = shapes::together(mesh, spike);
   EXPECT_EQ(codes(check(mesh)),
-            (std::vector<ErrorCode>{ErrorCode::kNotManifold, ErrorCode::kNotOriented, ErrorCode::kDegenerate,
+            (std::vector<ErrorCode>{ErrorCode::kDegenerate, ErrorCode::kNotManifold, ErrorCode::kNotOriented,
                                     ErrorCode::kSelfIntersecting}));
   mesh.positions[0][0] = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(codes(check(mesh)), (std::vector<ErrorCode>{ErrorCode::kNotFinite, ErrorCode::kNotManifold,
-                                                        ErrorCode::kNotOriented, ErrorCode::kDegenerate}));
+  EXPECT_EQ(codes(check(mesh)), (std::vector<ErrorCode>{ErrorCode::kNotFinite, ErrorCode::kDegenerate,
+                                                        ErrorCode::kNotManifold, ErrorCode::kNotOriented}));
 }
 
 // Random triangles through one ball: nearly every one of 2 · 10⁸ pairs meets.

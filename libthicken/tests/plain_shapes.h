@@ -69,10 +69,10 @@ inline TriangleMesh together(TriangleMesh mesh, const TriangleMesh& other) {
 
 /// A flat strip closed to a ring with a half turn: one-sided.
 inline TriangleMesh moebius(VertexId segments) {
-  constexpr double kPi = 3.14159265358979323846;
+  constexpr double kFullTurn = 6.28318530717958647692;
   TriangleMesh mesh;
   for (VertexId i = 0; i < segments; ++i) {
-    const double turn = 2 * kPi * i / segments;
+    const double turn = kFullTurn * i / segments;
     const Vec3 out(std::cos(turn), std::sin(turn), 0);
     const Vec3 across = std::cos(turn / 2) * out + std::sin(turn / 2) * Vec3(0, 0, 1);
     for (const double side : {-0.3, 0.3}) mesh.positions.push_back(out + side * across);

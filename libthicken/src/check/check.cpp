@@ -195,11 +195,11 @@ CheckResult check(const TriangleMesh& mesh, RunContext context, int threads) {
     result.facts = factsOf(mesh, joints, finite);
     if (mesh.triangles.empty()) result.defects.push_back(emptyDefect());
     if (!finite) result.defects.push_back(notFinite(mesh, unfit));
+    if (!bad.withoutArea.empty() || !bad.duplicates.empty()) result.defects.push_back(degenerate(mesh, bad));
     if (!joints.crowded.empty() || !joints.pinched.empty())
       result.defects.push_back(notManifold(mesh, edges, joints));
     if (!joints.sameSense.empty()) result.defects.push_back(notOriented(mesh, edges, joints));
   }
-  if (!bad.withoutArea.empty() || !bad.duplicates.empty()) result.defects.push_back(degenerate(mesh, bad));
   context.advance(0.4);
   if (finite && !mesh.triangles.empty()) {
     context.throwIfCancelled();
