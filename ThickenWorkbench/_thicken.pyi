@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# The compiled extension, whose source is libthicken/python. A test compares the two.
+from os import PathLike
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+__version__: str
+
+class ThickenError(RuntimeError):
+    code: str
+    defects: list[dict[str, Any]]
+
+class RunContext:
+    memory_limit: int
+    def __init__(self) -> None: ...
+    def cancel(self) -> None: ...
+    @property
+    def cancelled(self) -> bool: ...
+    @property
+    def progress(self) -> float: ...
+    @property
+    def stage(self) -> str: ...
+
+def thicken(
+    vertices: ArrayLike,
+    triangles: ArrayLike,
+    thickness: float,
+    *,
+    side: str = "negative",
+    method: str = "auto",
+    precision: str = "single",
+    cell: float | None = None,
+    resolution: int | None = None,
+    tolerance: float | None = None,
+    smooth: int | None = None,
+    repair: bool = False,
+    threads: int = 0,
+    context: RunContext | None = None,
+) -> dict[str, Any]: ...
+def check(
+    vertices: ArrayLike, triangles: ArrayLike, *, threads: int = 0, context: RunContext | None = None
+) -> dict[str, Any]: ...
+def weld(vertices: ArrayLike, triangles: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.int64]]: ...
+def read_mesh(path: str | PathLike[str]) -> tuple[NDArray[np.float64], NDArray[np.int64]]: ...
+def write_mesh(path: str | PathLike[str], vertices: ArrayLike, triangles: ArrayLike) -> None: ...

@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Thickening, checking, reading and writing of meshes held in NumPy arrays. Lengths are mm.
+
+Vertices are n × 3 real numbers, triangles m × 3 indices into them, counter-clockwise seen from the
+positive side. Any real or integer type and any memory layout will do.
+"""
+
+from __future__ import annotations
+
+import os
+from enum import IntEnum
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
+
+import numpy as np
+
+from . import native
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+    from ._thicken import RunContext
+
+_MIB = 1 << 20
+
+
+class Region(IntEnum):
+    """The part of the solid's boundary that a triangle belongs to."""
+
+    ORIGINAL = 0  #: the surface itself
+    SHELL = 1  #: the inner shell
+    WALL = 2  #: the cross-section below the rim
+
+
+class ThickenedMesh(NamedTuple):
+    """A solid whose validity has been proved, and the facts about it."""
+
+    vertices: NDArray[np.float64]  #: n × 3, the surface's own first
+    triangles: NDArray[np.int64]  #: m × 3, the surface's own first and in their order
+    region: NDArray[np.uint8]  #: m values of Region
+    depth: NDArray[np.float64]  #: how deep the solid is below each vertex of the surface
+    report: dict[str, Any]  #: the object of docs/report.md
+
+
+def thicken_mesh(
+    vertices: ArrayLike,
+    triangles: ArrayLike,
+    thickness: float,
+    *,
+    side: Literal["negative", "positive", "both"] = "negative",
+    method: Literal["auto", "sweep", "reconstruct"] = "auto",
+    cell: float | None = None,
+    resolution: int | None = None,
+    tolerance: float | None = None,
+    smooth: int | None = None,
+    repair: bool = False,
+    threads: int = 0,
+    memory: float | None = None,
+    precision: Literal["single", "double"] = "single",
+    context: RunContext | None = None,
+) -> ThickenedMesh:
+    """Return the solid of `thickness` on one side of the surface, every triangle of which it keeps.
+
+    Corners with equal coordinates become one vertex first. `precision` is that of the format the
+    solid is meant for: with "single" (STL, FreeCAD) the surface is rounded to float before anything
+    else, with "double" its coordinates stay; new vertices hold float values in either case.
+    `memory` is a limit in MiB. `context` polls and cancels the run from another thread; Ctrl-C
+    ends it as well. Other Python threads run meanwhile.
+
+    Raises ThickenError for a surface that is refused and where no valid solid can be made, and
+    TypeError or ValueError for arguments that make no sense.
+    """
+    extension = native.load()
+    if memory is not None:
+        if not memory > 0:
+            raise ValueError("memory must be a number of MiB above 0")
+        context = context if context is not None else extension.RunContext()
+        context.memory_limit = int(memory * _MIB)
+    solid = extension.thicken(
+        vertices,
+        triangles,
+        thickness,
+        side=side,
+        method=method,
+        precision=precision,
+        cell=cell,
+        resolution=resolution,
+        tolerance=tolerance,
+        smooth=smooth,
+        repair=repair,
+        threads=threads,
+        context=context,
+    )
+    return ThickenedMesh(**solid)
+
+
+def check_mesh(
+    vertices: ArrayLike, triangles: ArrayLike, *, threads: int = 0, context: RunContext | None = None
+) -> dict[str, Any]:
+    """Return what kind of surface it is and every defect of it, as the object of docs/report.md.
+
+    It is a valid input when the entry "defects" is empty. Ids are those of the welded mesh.
+    """
+    return native.load().check(vertices, triangles, threads=threads, context=context)
+
+
+def read_mesh(path: str | os.PathLike[str]) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+    """Return the vertices and triangles of a .stl, .ply, .obj or .off file, equal corners welded."""
+    return native.load().read_mesh(path)
+
+
+def write_mesh(path: str | os.PathLike[str], vertices: ArrayLike, triangles: ArrayLike) -> None:
+    """Write .stl, .ply, .obj, .off or .3mf, by the extension of `path`, whole or not at all."""
+    native.load().write_mesh(path, vertices, triangles)

@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The properties of a Thicken feature: their table, what they mean to the library, migrations.
+
+Documents store these names: renaming or removing one needs a migration and a new SCHEMA_VERSION.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Callable
+
+SCHEMA_VERSION = 1
+
+# App::PropertyType by value: FreeCAD has no names for it in Python.
+_READ_ONLY = 1
+_HIDDEN = 4
+_OUTPUT = 8  # changing it does not touch the document
+
+# The first choice is the one a new feature has. Lower-case, they are the library's own words.
+SIDES = ["Negative", "Positive", "Both"]
+METHODS = ["Auto", "Sweep", "Reconstruct"]
+
+# What decides how fine the result is, and the property that holds the number for it.
+QUALITY_NUMBER = {"Automatic": None, "Cell": "Cell", "Resolution": "Resolution", "Tolerance": "Tolerance"}
+
+
+@dataclass(frozen=True)
+class Property:
+    """One property: FreeCAD's type, its place in the editor, the value that it starts with."""
+
+    name: str
+    type: str
+    group: str
+    doc: str
+    start: Any = None  #: None: FreeCAD's own; a list: the choices of an enumeration
+    attributes: int = 0
+    report: str = ""  #: a result: the path of its value in the report (docs/report.md)
+
+
+def _input(name: str, kind: str, group: str, doc: str, start: Any = None) -> Property:
+    return Property(name, "App::Property" + kind, group, doc, start)
+
+
+def _result(name: str, kind: str, report: str, doc: str, start: Any = 0) -> Property:
+    return Property(name, "App::Property" + kind, "Result", doc, start, _READ_ONLY | _OUTPUT, report)
+
+
+INPUTS = [
+    _input("Source", "Link", "Thicken", "The mesh to thicken; every triangle of it is kept"),
+    _input("Thickness", "Length", "Thicken", "How thick the solid is", 1.0),
+    _input("Side", "Enumeration", "Thicken", "Where the material lies; normals point to the positive side", SIDES),
+    _input("Method", "Enumeration", "Thicken", "How the solid is computed", METHODS),
+    _input("Repair", "Bool", "Thicken", "Mend a defective mesh first", False),
+    _input("Quality", "Enumeration", "Quality", "What decides how fine the result is", list(QUALITY_NUMBER)),
+    _input("Cell", "Length", "Quality", "Cell width, below half the thickness", 0.25),
+    _input("Resolution", "Integer", "Quality", "Cells along the longest side of the bounding box", 128),
+    _input("Tolerance", "Length", "Quality", "The farthest that the inner shell may be from its definition", 0.05),
+]
+
+RESULTS = [
+    _result("Valid", "Bool", "audit.passed", "Whether there is a solid; it has been proved valid", False),
+    _result("Volume", "Volume", "output.volume_mm3", "Volume of the solid"),
+    _result("Area", "Area", "output.area_mm2", "Area of its whole boundary"),
+    _result("ShellError", "Float", "shell_error.p99",
+            "Deviation from the thickness, as a share of it, that 99 % of the inner shell stays below"),
+    _result("ShellErrorMean", "Float", "shell_error.mean", "Mean deviation, as a share of the thickness"),
+    _result("ShellErrorMax", "Float", "shell_error.max", "Largest deviation, as a share of the thickness"),
+    _result("ThinnestWall", "Length", "thinnest_wall.mm", "Thickness at the thinnest place"),
+    _result("ThinnestPlace", "Vector", "thinnest_wall.place_mm", "That place, without the Placement", (0, 0, 0)),
+    _result("ThinShare", "Float", "thin_share", "Share of the mesh's area with less than 0.9 of the thickness"),
+    _result("TriangleCount", "Integer", "output.triangles", "Triangles of the solid"),
+    _result("OriginalTriangles", "Integer", "output.original_triangles", "Triangles that are the mesh's own"),
+    _result("ShellTriangles", "Integer", "output.shell_triangles", "Triangles of the inner shell"),
+    _result("WallTriangles", "Integer", "output.wall_triangles", "Triangles of the wall at the rim"),
+    _result("DroppedCopies", "Integer", "output.dropped_copies", "Points without a counterpart on the shell"),
+    _result("UsedMethod", "String", "parameters.method", "The method that made the solid", ""),
+    _result("Warnings", "StringList", "warnings", "What to know about the solid", ()),
+]  # fmt: skip
+
+_SCHEMA = Property("SchemaVersion", "App::PropertyInteger", "Internal", "Version of the properties", 0,
+                   _READ_ONLY | _HIDDEN | _OUTPUT)  # fmt: skip
+
+# MIGRATIONS[n] turns a feature of schema n into one of schema n + 1.
+MIGRATIONS: dict[int, Callable[[Any], None]] = {}
+
+
+def ensure_properties(obj: Any) -> None:
+    """Add the properties that `obj` lacks and bring it to the present schema; idempotent."""
+    fresh = _SCHEMA.name not in obj.PropertiesList
+    for prop in [*INPUTS, *RESULTS, _SCHEMA]:
+        if prop.name not in obj.PropertiesList:
+            obj.addProperty(prop.type, prop.name, prop.group, prop.doc, prop.attributes)
+            if prop.start is not None:
+                setattr(obj, prop.name, prop.start)
+    if not fresh:
+        for version in range(obj.SchemaVersion, SCHEMA_VERSION):
+            MIGRATIONS[version](obj)
+    # A newer program's document keeps its number.
+    obj.SchemaVersion = max(obj.SchemaVersion, SCHEMA_VERSION)
+    obj.setEditorMode("Placement", 1)  # it follows the source's
+    show_quality(obj)
+
+
+def show_quality(obj: Any) -> None:
+    """Show only the number that the chosen Quality uses."""
+    chosen = QUALITY_NUMBER[obj.Quality]
+    for name in filter(None, QUALITY_NUMBER.values()):
+        obj.setEditorMode(name, 0 if name == chosen else 2)
+
+
+def set_inputs(obj: Any, *, side: str, method: str, repair: bool, **quality: Any) -> None:
+    """Set what make_thicken() takes; of `quality` (cell, resolution, tolerance) at most one is not None."""
+    given = {name.capitalize(): value for name, value in quality.items() if value is not None}
+    if len(given) > 1:
+        raise ValueError(f"give one of cell, resolution and tolerance, not {' and '.join(given).lower()}")
+    obj.Side = _choice("side", side, SIDES)
+    obj.Method = _choice("method", method, METHODS)
+    obj.Repair = bool(repair)
+    obj.Quality = next(iter(given), "Automatic")
+    for name, value in given.items():
+        setattr(obj, name, value)
+
+
+def _choice(what: str, word: str, choices: list[str]) -> str:
+    by_word = {choice.lower(): choice for choice in choices}
+    if str(word).lower() not in by_word:
+        raise ValueError(f"{what} must be one of {', '.join(by_word)}, not {word!r}")
+    return by_word[str(word).lower()]
+
+
+def arguments(obj: Any) -> dict[str, Any]:
+    """The arguments of thicken_mesh() that the inputs of `obj` stand for."""
+    result = {
+        "thickness": obj.Thickness.Value,
+        "side": obj.Side.lower(),
+        "method": obj.Method.lower(),
+        "repair": obj.Repair,
+        "precision": "single",  # that of FreeCAD's meshes
+    }
+    chosen = QUALITY_NUMBER[obj.Quality]
+    if chosen is not None:
+        number = getattr(obj, chosen)
+        result[chosen.lower()] = getattr(number, "Value", number)
+    return result
+
+
+def show_report(obj: Any, report: dict[str, Any]) -> None:
+    """Set the results from the library's report."""
+    for prop in RESULTS:
+        value: Any = report
+        for key in prop.report.split("."):
+            value = value[key]
+        if value is None:  # how JSON says “not finite”
+            value = prop.start
+        setattr(obj, prop.name, tuple(value) if isinstance(prop.start, tuple) else value)
+
+
+def clear_results(obj: Any) -> None:
+    """Set the results to what a feature without a solid has."""
+    for prop in RESULTS:
+        setattr(obj, prop.name, prop.start)

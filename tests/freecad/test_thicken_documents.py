@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Saving and reopening."""
+
+import zipfile
+
+import FreeCAD as App
+import numpy as np
+
+import ThickenWorkbench
+from ThickenWorkbench import mesh_io, params
+from thicken_case import DocumentCase
+from thicken_surfaces import fin, plate, saddle
+
+PLACEMENT = App.Placement(App.Vector(1.1, 2.2, 3.3), App.Rotation(App.Vector(0, 0, 1), 12))
+
+
+def values(feature) -> dict:
+    """All that the feature's own properties hold, in comparable form."""
+    result = {}
+    for prop in [*params.INPUTS, *params.RESULTS]:
+        value = getattr(feature, prop.name)
+        value = getattr(value, "Name", None) or getattr(value, "Value", value)
+        # FreeCAD writes some of its numbers with 12 digits.
+        result[prop.name] = float(f"{value:.9g}") if isinstance(value, float) else value
+    result["ThinnestPlace"] = [float(f"{x:.9g}") for x in feature.ThinnestPlace]
+    return result
+
+
+class SaveAndReopen(DocumentCase):
+    def reopened(self):
+        path = self.folder / "part.FCStd"
+        self.doc.saveAs(str(path))
+        App.closeDocument(self.doc.Name)
+        self.doc = App.openDocument(str(path))
+        return self.doc.getObject("Thicken")
+
+    def make(self):
+        source = self.add_source(saddle())
+        source.Placement = PLACEMENT
+        return ThickenWorkbench.make_thicken(self.doc, source, thickness=1.25, side="positive", tolerance=0.4)
+
+    def test_values_and_mesh_are_the_same(self):
+        feature = self.make()
+        self.assert_solid(feature)
+        before, mesh_before = values(feature), mesh_io.arrays_from_mesh(feature.Mesh)
+        feature = self.reopened()
+        self.assertEqual(values(feature), before)
+        for array, array_before in zip(mesh_io.arrays_from_mesh(feature.Mesh), mesh_before):
+            self.assertEqual(array.tobytes(), array_before.tobytes())
+        self.assertTrue(feature.Placement.isSame(PLACEMENT, 1e-12))
+        self.assert_solid(feature)
+        self.assertNotIn("Touched", feature.State)
+
+    def test_reopened_feature_recomputes(self):
+        self.make()
+        feature = self.reopened()
+        volume = feature.Volume.Value
+        feature.Thickness = 2.5
+        self.doc.recompute()
+        self.assert_solid(feature)
+        self.assertGreater(feature.Volume.Value, 1.5 * volume)
+        self.doc.getObject("Scan").Mesh = mesh_io.mesh_from_arrays(*plate())
+        self.doc.recompute()
+        self.assert_solid(feature)
+        self.assertAlmostEqual(feature.Volume.Value, 20 * 20 * 2.5, places=6)
+
+    def test_recomputing_gives_the_same_bytes(self):
+        feature = self.make()
+        before = mesh_io.arrays_from_mesh(feature.Mesh)
+        feature = self.reopened()
+        feature.touch()
+        self.doc.recompute()
+        for array, array_before in zip(mesh_io.arrays_from_mesh(feature.Mesh), before):
+            self.assertEqual(array.tobytes(), array_before.tobytes())
+
+    def test_editor_modes_and_schema(self):
+        self.make()
+        feature = self.reopened()
+        self.assertEqual(feature.SchemaVersion, params.SCHEMA_VERSION)
+        self.assertNotIn("Hidden", feature.getEditorMode("Tolerance"))
+        self.assertIn("Hidden", feature.getEditorMode("Cell"))
+        self.assertIn("ReadOnly", feature.getEditorMode("Volume"))
+
+    def test_refused_feature_is_saved_without_a_mesh(self):
+        feature = self.make()
+        self.doc.getObject("Scan").Mesh = mesh_io.mesh_from_arrays(*fin())
+        self.doc.recompute()
+        self.assert_refused(feature)
+        feature = self.reopened()
+        self.assertEqual(feature.Mesh.CountFacets, 0)
+        self.assertFalse(feature.Valid)
+        self.doc.getObject("Scan").Mesh = mesh_io.mesh_from_arrays(*plate())
+        self.doc.recompute()
+        self.assert_solid(feature)
+
+    def test_file_names_the_frozen_class(self):
+        self.make()
+        self.reopened()
+        with zipfile.ZipFile(self.folder / "part.FCStd") as archive:
+            text = archive.read("Document.xml").decode()
+        self.assertIn('module="ThickenWorkbench.feature"', text)
+        self.assertIn('class="ThickenFeature"', text)
+
+    def test_older_feature_gets_the_properties_that_it_lacks(self):
+        feature = self.make()
+        feature.removeProperty("ThinShare")
+        feature.removeProperty("Repair")
+        feature = self.reopened()
+        self.assertEqual((feature.ThinShare, feature.Repair), (0, False))
+        feature.touch()
+        self.doc.recompute()
+        self.assert_solid(feature)
+
+    def test_copy_in_the_document(self):
+        feature = self.make()
+        copy = self.doc.copyObject(feature, False)
+        copy.Thickness = 0.5
+        self.doc.recompute()
+        self.assert_solid(copy)
+        self.assertLess(copy.Volume.Value, feature.Volume.Value)
+        self.assertTrue(np.isclose(feature.Thickness.Value, 1.25))

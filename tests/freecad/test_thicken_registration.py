@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The files that FreeCAD executes at its start, the command, and the manifest."""
+
+import sys
+import types
+import unittest
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+from unittest import mock
+
+import ThickenWorkbench
+from thicken_case import DocumentCase
+from thicken_surfaces import plate
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+class FakeGui(types.ModuleType):
+    """As much of FreeCADGui as the workbench uses."""
+
+    class Workbench:
+        def appendToolbar(self, name, commands):
+            self.toolbar = (name, commands)
+
+        def appendMenu(self, name, commands):
+            self.menu = (name, commands)
+
+    def __init__(self):
+        super().__init__("FreeCADGui")
+        self.workbenches, self.commands, self.macro, self.selected = [], {}, [], []
+        self.Selection = types.SimpleNamespace(getSelection=lambda: self.selected)
+
+    def addWorkbench(self, workbench):
+        self.workbenches.append(workbench)
+
+    def addCommand(self, name, command):
+        self.commands[name] = command
+
+    def addModule(self, name):
+        self.macro.append(f"import {name}")
+
+    def doCommand(self, line):
+        self.macro.append(line)
+        exec("\n".join(self.macro), {"App": sys.modules["FreeCAD"]})
+
+
+def execute(name: str) -> None:
+    """As FreeCAD does: inside a function, without __file__."""
+    exec(compile((ROOT / name).read_text(), name, "exec"))
+
+
+class Registration(DocumentCase):
+    def setUp(self):
+        super().setUp()
+        self.gui = FakeGui()
+        patch = mock.patch.dict(sys.modules, {"FreeCADGui": self.gui})
+        patch.start()
+        self.addCleanup(patch.stop)
+        for name in [module for module in sys.modules if module.startswith("ThickenWorkbench.gui")]:
+            del sys.modules[name]
+
+    def workbench(self):
+        execute("Init.py")
+        execute("InitGui.py")
+        (workbench,) = self.gui.workbenches
+        return workbench
+
+    def test_workbench_is_registered(self):
+        workbench = self.workbench()
+        self.assertEqual(type(workbench).__name__, "ThickenWorkbench")
+        self.assertEqual(workbench.GetClassName(), "Gui::PythonWorkbench")
+        self.assertTrue(workbench.MenuText and workbench.ToolTip)
+        self.assertTrue(Path(workbench.Icon).is_file())
+        self.assertEqual(self.gui.commands, {}, "commands belong to Initialize, not to FreeCAD's start")
+
+    def test_initialize_adds_the_command(self):
+        workbench = self.workbench()
+        workbench.Initialize()
+        self.assertEqual(workbench.toolbar, ("Thicken", ["Thicken_Make"]))
+        resources = self.gui.commands["Thicken_Make"].GetResources()
+        self.assertTrue(Path(resources["Pixmap"]).is_file())
+        self.assertTrue(resources["MenuText"] and resources["ToolTip"])
+
+    def test_command_makes_a_feature_that_a_macro_can_repeat(self):
+        self.workbench().Initialize()
+        command = self.gui.commands["Thicken_Make"]
+        self.assertFalse(command.IsActive())
+        source = self.add_source(plate())
+        self.gui.selected = [source]
+        self.assertTrue(command.IsActive())
+        command.Activated()
+        feature = self.doc.getObject("Thicken")
+        self.assert_solid(feature)
+        self.assertEqual(feature.Source, source)
+        self.assertEqual(self.gui.macro[0], "import ThickenWorkbench")
+        self.assertIn("make_thicken", self.gui.macro[1])
+
+    def test_manifest_agrees_with_the_package(self):
+        tree = ElementTree.parse(ROOT / "package.xml").getroot()
+        space = {"p": tree.tag[1:].split("}")[0]}
+        text = lambda path: tree.findtext(path, namespaces=space)  # noqa: E731
+        self.assertEqual(text("p:version"), ThickenWorkbench.__version__)
+        self.assertEqual(text("p:content/p:workbench/p:classname"), "ThickenWorkbench")
+        self.assertTrue((ROOT / text("p:icon")).is_file())
+        self.assertTrue((ROOT / tree.find("p:license", space).get("file")).is_file())

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The base of tests that need a document."""
+
+from __future__ import annotations
+
+import tempfile
+import unittest
+from pathlib import Path
+
+import FreeCAD as App
+
+from ThickenWorkbench import mesh_io, params
+
+
+class DocumentCase(unittest.TestCase):
+    """A fresh document, a folder for files, and what a feature has to be with and without a solid."""
+
+    def setUp(self):
+        self.doc = App.newDocument("ThickenTest")
+        self.addCleanup(self.close_all)
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def close_all(self):
+        for name in list(App.listDocuments()):
+            App.closeDocument(name)
+
+    def add_source(self, surface, name="Scan"):
+        source = self.doc.addObject("Mesh::Feature", name)
+        source.Mesh = mesh_io.mesh_from_arrays(*surface)
+        return source
+
+    def assert_solid(self, feature):
+        self.assertNotIn("Invalid", feature.State, feature.getStatusString())
+        self.assertTrue(feature.isValid())
+        self.assertTrue(feature.Valid)
+        mesh = feature.Mesh  # FreeCAD sums its volume and area up in floats
+        self.assertTrue(mesh.isSolid())
+        self.assertFalse(mesh.hasNonManifolds())
+        self.assertFalse(mesh.hasNonUniformOrientedFacets())
+        self.assertFalse(mesh.hasSelfIntersections())
+        self.assertEqual(feature.TriangleCount, mesh.CountFacets)
+        self.assertAlmostEqual(feature.Volume.Value, mesh.Volume, delta=1e-4 * mesh.Volume)
+        self.assertAlmostEqual(feature.Area.Value, mesh.Area, delta=1e-4 * mesh.Area)
+        self.assertGreater(mesh.Volume, 0)
+
+    def assert_refused(self, feature, *words):
+        self.assertIn("Invalid", feature.State)
+        self.assertFalse(feature.isValid())
+        for word in words:
+            self.assertIn(word, feature.getStatusString())
+        self.assertEqual(feature.Mesh.CountFacets, 0, "a stale mesh")
+        self.assertEqual(feature.Mesh.CountPoints, 0, "a stale mesh")
+        for prop in params.RESULTS:
+            value = getattr(feature, prop.name)
+            self.assertFalse(any(value) if prop.type.endswith("Vector") else getattr(value, "Value", value), prop.name)

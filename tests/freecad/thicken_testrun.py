@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Runs the test modules of this folder inside FreeCAD.
+
+A FreeCAD without a display ends with 0 after most failures, and runs no `__main__` part of a
+script. Therefore: `freecadcmd -c "…; import thicken_testrun; sys.exit(thicken_testrun.main())"`, no
+tests count as failure, and the last line is printed only after success. tests/freecad/run does it.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+import unittest
+from pathlib import Path
+
+FOLDER = Path(__file__).resolve().parent
+SENTINEL = "thicken: all FreeCAD tests passed"
+
+
+def main() -> int:
+    chosen = os.environ.get("THICKEN_TEST_MODULES", "").split()
+    modules = chosen or sorted(path.stem for path in FOLDER.glob("test_thicken_*.py"))
+    suite = unittest.TestSuite(unittest.defaultTestLoader.loadTestsFromName(module) for module in modules)
+    result = unittest.TextTestRunner(stream=sys.stdout, verbosity=2).run(suite)
+    passed = result.wasSuccessful() and result.testsRun > len(result.skipped)
+    print(f"\n{SENTINEL}" if passed else f"\nthicken: FreeCAD tests failed ({result.testsRun} run)")
+    sys.stdout.flush()
+    return 0 if passed else 1
