@@ -120,11 +120,11 @@ TEST(ReadStl, RefusesTextThatIsNoStl) {
   EXPECT_CONTAINS(refusalOf(folder.put("a.stl", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")),
                   "line 1: begins with \"v\"");
   std::string text = kText;
-  EXPECT_CONTAINS(refusalOf(folder.put("b.stl", std::string(text).replace(text.find("+1.5E0"), 6, "x"))),
-                  "line 6: the x coordinate is \"x\"");
+  EXPECT_CONTAINS(refusalOf(folder.put("b.stl", std::string(text).replace(text.find("+1.5E0"), 6, "one"))),
+                  "line 6: the x coordinate is \"one\"");
   EXPECT_CONTAINS(
       refusalOf(folder.put("c.stl", std::string(text).replace(text.find("endloop"), 7, "vertex 1 2 3"))),
-      "line 7: \"endloop\" is due");
+      "line 7: \"vertex\" stands where \"endloop\" is due");
 }
 
 TEST(ReadStl, ReadsLargeFilesInShortTime) {

@@ -56,9 +56,9 @@ TriangleMesh readBinary(const SourceFile& file) {
 void expect(TextScanner& text, std::string_view keyword) {
   const std::string_view word = text.word();
   if (is(word, keyword)) return;
-  if (word.empty())
-    text.fail("the file ends where \"" + std::string(keyword) + "\" is due; it seems to be cut off");
-  text.fail("\"" + std::string(keyword) + "\" is due where " + quotedWord(word) + " stands");
+  const std::string due = quotedWord(keyword);
+  if (word.empty()) text.fail("the file ends where " + due + " is due; it seems to be cut off");
+  text.fail(quotedWord(word) + " stands where " + due + " is due");
 }
 
 // What follows the word "facet".
@@ -90,8 +90,7 @@ TriangleMesh readAscii(const SourceFile& file) {
     text.skipLine();
     for (std::string_view word = text.word(); !is(word, "endsolid"); word = text.word()) {
       if (word.empty()) text.fail("the file ends before \"endsolid\"; it seems to be cut off");
-      if (!is(word, "facet"))
-        text.fail("\"facet\" or \"endsolid\" is due where " + quotedWord(word) + " stands");
+      if (!is(word, "facet")) text.fail(quotedWord(word) + " stands where \"facet\" or \"endsolid\" is due");
       readFacet(text, mesh);
     }
     text.skipLine();
