@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Pairs what enters a face of the grid with what leaves it: signed crossings of its edges and signed
+// passages of the rim. Each pair is an arc of the surface in that face, and so a dual edge.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "contour/crossings.h"
+#include "contour/rim_walk.h"
+
+namespace thicken {
+
+/// The four faces around a crossed edge, counter-clockwise about its axis, lie between the sectors k
+/// and k + 1 of the edge's cells. An end of an arc is 4·crossing + k, or 4·crossings + passage.
+using Arc = std::pair<std::uint32_t, std::uint32_t>;
+
+/// Sector k of an edge along `axis` is the cell at this offset from the edge's node.
+[[nodiscard]] GridIndex sectorOffset(int axis, int k);
+
+/// `passages` in the order of the ways' visits. Arcs in the order of the faces' keys.
+[[nodiscard]] std::vector<Arc> matchFaces(const std::vector<Crossing>& crossings,
+                                          const std::vector<RimPassage>& passages);
+
+}  // namespace thicken

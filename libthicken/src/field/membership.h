@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Definition 2 at a point, for a surface that has been extended: the carrier Ŝ is S with further
+// triangles that are already known to bound the solid (the wall next to the rim, pieces of shell).
+// Which side of Ŝ a point lies on decides where Ŝ's own faces are closest; elsewhere Definition 2.
+#pragma once
+
+#include "thicken/closest_point.h"
+
+namespace thicken {
+
+/// Why a point is in the solid or not.
+enum class Standing : std::uint8_t {
+  kInside,
+  kFar,    ///< behind S, farther than r: beyond the inner shell
+  kFront,  ///< before S
+  kRim,    ///< its closest point lies on the rim, or before the wall: beyond the cross-section
+};
+
+struct Probe {
+  Standing standing = Standing::kFar;
+  double distance = 0;          ///< to S, mm
+  double carrierDistance = 0;   ///< to Ŝ, mm; at most `distance`
+  Vec3 closest = Vec3::Zero();  ///< on S
+  [[nodiscard]] bool inside() const { return standing == Standing::kInside; }
+};
+
+class Membership {
+ public:
+  /// The first `surfaceTriangles` triangles of the carrier are those of the surface, in its order.
+  Membership(const ClosestPointTree& carrier, const ClosestPointTree& surface, std::size_t surfaceTriangles,
+             double thickness)
+      : carrier_(carrier), surface_(surface), surfaceTriangles_(surfaceTriangles), thickness_(thickness) {}
+
+  [[nodiscard]] Probe probe(const Vec3& p) const;
+  [[nodiscard]] double thickness() const { return thickness_; }
+  [[nodiscard]] const ClosestPointTree& surface() const { return surface_; }
+
+ private:
+  const ClosestPointTree& carrier_;
+  const ClosestPointTree& surface_;
+  std::size_t surfaceTriangles_;
+  double thickness_;
+};
+
+}  // namespace thicken

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Exact signed crossings of a triangle surface with the edges of a grid. They are what makes the
+// contour's boundary the surface's rim for any labels of the nodes: around a face of the grid the
+// crossings sum up to the rim's passages through that face.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "field/uniform_grid.h"
+#include "thicken/run_context.h"
+
+namespace thicken {
+
+struct SurfaceCrossing {
+  std::uint64_t edge;  ///< UniformGrid::key(node, axis)
+  double at;           ///< coordinate along the axis, mm (rounded; the edge is exact)
+  int jump;            ///< what inside − outside changes by in the axis' direction: −1 leaves the solid
+};
+
+/// All crossings, sorted by edge, then along it. Throws GridTouches where a sign is 0.
+[[nodiscard]] std::vector<SurfaceCrossing> surfaceCrossings(const UniformGrid& grid,
+                                                            std::span<const Vec3> positions,
+                                                            std::span<const Triangle> triangles,
+                                                            const RunContext& context, int threads);
+
+}  // namespace thicken

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "reconstruct/assembly.h"
+
+#include <Eigen/Geometry>
+#include <limits>
+
+#include "mesh/float_lattice.h"
+
+namespace thicken {
+
+namespace {
+
+double distanceToLine(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const Vec3 d = b - a;
+  const double l2 = d.squaredNorm();
+  const double t = l2 > 0 ? std::clamp((p - a).dot(d) / l2, 0.0, 1.0) : 0;
+  return (p - a - t * d).norm();
+}
+
+class Assembler {
+ public:
+  Assembler(const Carrier& carrier, const DualSurface& dual, const std::vector<Crossing>& crossings,
+            const std::vector<RimWay>& ways)
+      : dual_(dual), crossings_(crossings), ways_(ways) {
+    out_.mesh = carrier.mesh;
+    out_.region = carrier.region;
+    out_.carrierVertices = carrier.mesh.positions.size();
+    out_.carrierTriangles = carrier.mesh.triangles.size();
+    out_.dualVertices = dual.vertexCount;
+  }
+
+  Assembly run() {
+    for (const Vec3& p : dual_.start) out_.mesh.positions.push_back(roundToFloat(p));
+    for (std::uint32_t c = 0; c < crossings_.size(); ++c) addFace(c);
+    for (std::size_t l = 0; l < ways_.size(); ++l) addStrip(l);
+    return std::move(out_);
+  }
+
+ private:
+  [[nodiscard]] VertexId id(VertexId dualVertex) const {
+    return static_cast<VertexId>(out_.carrierVertices + dualVertex);
+  }
+  [[nodiscard]] const Vec3& at(VertexId v) const { return out_.mesh.positions[v]; }
+
+  void put(const Triangle& t, Region region, std::uint32_t crossing) {
+    out_.mesh.triangles.push_back(t);
+    out_.region.push_back(region);
+    out_.crossing.push_back(crossing);
+  }
+
+  void addFace(std::uint32_t c) {
+    const Region region = crossings_[c].beyond == Standing::kRim ? Region::kWall : Region::kShell;
+    const std::vector<VertexId>& f = dual_.faces[c];
+    if (f.size() == 4 && !dual_.shared[c]) {
+      const VertexId q[4] = {id(f[0]), id(f[1]), id(f[2]), id(f[3])};
+      // The diagonal that comes closer to the surface.
+      const Vec3& x = crossings_[c].at;
+      const int k = distanceToLine(x, at(q[0]), at(q[2])) <= distanceToLine(x, at(q[1]), at(q[3])) ? 0 : 1;
+      put({q[k], q[k + 1], q[k + 2]}, region, c);
+      put({q[k], q[k + 2], q[(k + 3) % 4]}, region, c);
+      return;
+    }
+    const auto middle = static_cast<VertexId>(out_.mesh.positions.size());
+    out_.mesh.positions.push_back(roundToFloat(crossings_[c].at));
+    out_.middleOf.push_back(c);
+    for (std::size_t k = 0; k < f.size(); ++k) put({id(f[k]), id(f[(k + 1) % f.size()]), middle}, region, c);
+  }
+
+  // One rim edge from v to w and the contour's border beside it, from the vertex of v's visit to that
+  // of w's: a fan at v, one triangle on the edge, a fan at w.
+  void fill(VertexId v, VertexId w, const std::vector<VertexId>& chain) {
+    const std::size_t n = chain.size();
+    const auto area = [&](VertexId a, VertexId b, VertexId c) {
+      return (at(b) - at(a)).cross(at(c) - at(a)).norm();
+    };
+    double behind = 0;
+    for (std::size_t j = 0; j + 1 < n; ++j) behind += area(w, chain[j], chain[j + 1]);
+    double least = std::numeric_limits<double>::infinity(), before = 0;
+    std::size_t best = 0;
+    for (std::size_t s = 0; s < n; ++s) {
+      const double sum = before + area(w, v, chain[s]) + behind;
+      if (sum < least) {
+        least = sum;
+        best = s;
+      }
+      if (s + 1 == n) break;
+      before += area(v, chain[s], chain[s + 1]);
+      behind -= area(w, chain[s], chain[s + 1]);
+    }
+    for (std::size_t j = 0; j < best; ++j) put({v, chain[j], chain[j + 1]}, Region::kShell, Assembly::kStrip);
+    put({w, v, chain[best]}, Region::kShell, Assembly::kStrip);
+    for (std::size_t j = best; j + 1 < n; ++j)
+      put({w, chain[j], chain[j + 1]}, Region::kShell, Assembly::kStrip);
+  }
+
+  void addStrip(std::size_t l) {
+    const RimWay& way = ways_[l];
+    const auto& stops = dual_.stops[l];
+    std::vector<std::pair<VertexId, std::size_t>> rim;  // vertex, its visit
+    for (std::size_t i = 0; i < way.size(); ++i)
+      for (const VertexId v : way[i].vertices) rim.emplace_back(v, i);
+    for (std::size_t e = 0; e < rim.size(); ++e) {
+      const auto& [v, from] = rim[e];
+      const bool last = e + 1 == rim.size();
+      const auto& [w, visit] = rim[last ? 0 : e + 1];
+      std::size_t to = visit;
+      if (last && way.size() > 1) to += way.size();
+      std::vector<VertexId> chain{id(stops[from].vertex)};
+      for (std::size_t i = from; i < to; ++i) {
+        const auto& stop = stops[i % way.size()];
+        if (stop.onExit != kNone) chain.push_back(id(stop.onExit));
+        chain.push_back(id(stops[(i + 1) % way.size()].vertex));
+      }
+      fill(v, w, chain);
+    }
+  }
+
+  const DualSurface& dual_;
+  const std::vector<Crossing>& crossings_;
+  const std::vector<RimWay>& ways_;
+  Assembly out_;
+};
+
+}  // namespace
+
+Assembly assemble(const Carrier& carrier, const DualSurface& dual, const std::vector<Crossing>& crossings,
+                  const std::vector<RimWay>& ways) {
+  return Assembler(carrier, dual, crossings, ways).run();
+}
+
+}  // namespace thicken

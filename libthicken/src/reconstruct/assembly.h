@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Carrier and contour as one triangle mesh: quads split, strips between the contour's border and the
+// carrier's rim filled with the least area.
+#pragma once
+
+#include "contour/dual_surface.h"
+#include "reconstruct/carrier.h"
+
+namespace thicken {
+
+struct Assembly {
+  std::size_t carrierVertices = 0;   ///< the contour's vertices follow: those of the dual surface in
+  std::size_t carrierTriangles = 0;  ///< its order, then one in the middle of each face that is fanned
+  std::size_t dualVertices = 0;
+  TriangleMesh mesh;
+  std::vector<Region> region;  ///< per triangle
+  static constexpr std::uint32_t kStrip = 0xffffffffu;
+  std::vector<std::uint32_t> crossing;  ///< per triangle of the contour: its crossing, or kStrip
+  std::vector<std::uint32_t> middleOf;  ///< per middle vertex: its crossing
+};
+
+[[nodiscard]] Assembly assemble(const Carrier& carrier, const DualSurface& dual,
+                                const std::vector<Crossing>& crossings, const std::vector<RimWay>& ways);
+
+}  // namespace thicken

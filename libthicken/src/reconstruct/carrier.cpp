@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "reconstruct/carrier.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/float_lattice.h"
+#include "mesh/half_edges.h"
+
+namespace thicken {
+
+namespace {
+
+std::vector<Triangle> keptTriangles(const TriangleMesh& mesh, std::span<const std::uint8_t> keep) {
+  std::vector<Triangle> kept;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    if (keep[t]) kept.push_back(mesh.triangles[t]);
+  return kept;
+}
+
+// Replaces a triangle by the fans that the points on its edges call for.
+class RimDivider {
+ public:
+  RimDivider(Carrier& carrier, double longest) : carrier_(carrier), longest_(longest) {}
+
+  void divide(TriangleId t, std::array<bool, 3> onRim) {
+    std::array<std::vector<VertexId>, 3> points;
+    const Triangle corners = carrier_.mesh.triangles[t];
+    bool any = false;
+    for (int k = 0; k < 3; ++k) {
+      if (onRim[k]) points[k] = pointsBetween(corners[k], corners[(k + 1) % 3]);
+      any |= !points[k].empty();
+    }
+    if (!any) return;
+    first_ = true;
+    place_ = t;
+    emit(corners, points);
+  }
+
+ private:
+  std::vector<VertexId> pointsBetween(VertexId a, VertexId b) {
+    const Vec3 from = carrier_.mesh.positions[a], to = carrier_.mesh.positions[b];
+    const int parts = static_cast<int>(std::ceil((to - from).norm() / longest_));
+    std::vector<VertexId> ids;
+    Vec3 last = from;
+    for (int i = 1; i < parts; ++i) {
+      const Vec3 p = roundToFloat(from + (double(i) / parts) * (to - from));
+      if (p == last || p == to) continue;
+      last = p;
+      ids.push_back(static_cast<VertexId>(carrier_.mesh.positions.size()));
+      carrier_.mesh.positions.push_back(p);
+    }
+    return ids;
+  }
+
+  // Fans out one divided edge; the two outer triangles hold what else is divided.
+  void emit(const Triangle& t, const std::array<std::vector<VertexId>, 3>& points) {
+    for (int k = 0; k < 3; ++k) {
+      if (points[k].empty()) continue;
+      const VertexId a = t[k], b = t[(k + 1) % 3], apex = t[(k + 2) % 3];
+      const std::vector<VertexId>& p = points[k];
+      emit({a, p.front(), apex}, {{{}, {}, points[(k + 2) % 3]}});
+      for (std::size_t i = 0; i + 1 < p.size(); ++i) put({p[i], p[i + 1], apex});
+      emit({p.back(), b, apex}, {{{}, points[(k + 1) % 3], {}}});
+      return;
+    }
+    put(t);
+  }
+
+  void put(const Triangle& t) {
+    if (first_) {
+      carrier_.mesh.triangles[place_] = t;
+      first_ = false;
+      return;
+    }
+    carrier_.mesh.triangles.push_back(t);
+    carrier_.region.push_back(carrier_.region[place_]);
+  }
+
+  Carrier& carrier_;
+  double longest_;
+  bool first_ = true;
+  TriangleId place_ = 0;
+};
+
+}  // namespace
+
+void closeFans(const TriangleMesh& swept, std::vector<std::uint8_t>& keep) {
+  const auto around = vertexTriangles(swept.positions.size(), swept.triangles);
+  for (;;) {
+    const std::vector<Triangle> kept = keptTriangles(swept, keep);
+    const HalfEdges edges(swept.positions.size(), kept);
+    std::vector<std::uint8_t> rimEdges(swept.positions.size(), 0);
+    bool grown = false;
+    edges.forEachEdge([&](VertexId a, VertexId b, auto forth, auto back) {
+      if (forth.size() + back.size() != 1) return;
+      const VertexId from = forth.empty() ? b : a;
+      if (rimEdges[from] < 2) ++rimEdges[from];
+      if (rimEdges[from] < 2) return;
+      for (const TriangleId t : around.of(from)) {
+        grown |= keep[t] == 0;
+        keep[t] = 1;
+      }
+    });
+    if (!grown) return;
+  }
+}
+
+Carrier makeCarrier(const SweepResult& swept, std::size_t surfaceTriangles,
+                    std::span<const std::uint8_t> keep, double longest) {
+  Carrier carrier;
+  carrier.mesh.positions = swept.mesh.positions;
+  carrier.mesh.triangles = keptTriangles(swept.mesh, keep);
+  for (std::size_t t = 0; t < keep.size(); ++t)
+    if (keep[t]) carrier.region.push_back(swept.region[t]);
+  const Rim rim = rimOf(carrier.mesh.positions.size(), carrier.mesh.triangles);
+  std::vector<std::array<bool, 3>> onRim(carrier.mesh.triangles.size(), {false, false, false});
+  for (const RimEdge& e : rim.edges)
+    for (int k = 0; k < 3; ++k)
+      if (carrier.mesh.triangles[e.triangle][k] == e.from) onRim[e.triangle][k] = true;
+  RimDivider divider(carrier, longest);
+  for (std::size_t t = surfaceTriangles; t < onRim.size(); ++t)
+    divider.divide(static_cast<TriangleId>(t), onRim[t]);
+  carrier.rim = rimOf(carrier.mesh.positions.size(), carrier.mesh.triangles);
+  return carrier;
+}
+
+}  // namespace thicken

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// The carrier Ŝ: S with the walls of its sweep, and with pieces of the sweep's shell where the field
+// is finer than the grid. All of it is proved to be free of intersections, so that the contour has
+// only to be joined to Ŝ's rim, which lies away from S and may be divided, while S's rim may not.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mesh/topology.h"
+#include "sweep/sweep.h"
+#include "thicken/result.h"
+
+namespace thicken {
+
+struct Carrier {
+  TriangleMesh mesh;           ///< S's vertices and triangles first
+  std::vector<Region> region;  ///< per triangle
+  Rim rim;                     ///< its edges are no longer than asked, except those of S
+};
+
+/// Which triangles of the sweep (S's included) the carrier takes: `keep`, enlarged until no vertex
+/// has two fans.
+void closeFans(const TriangleMesh& swept, std::vector<std::uint8_t>& keep);
+
+/// The carrier of the kept triangles; rim edges longer than `longest` mm are divided evenly, those of
+/// the first `surfaceTriangles` triangles excepted.
+[[nodiscard]] Carrier makeCarrier(const SweepResult& swept, std::size_t surfaceTriangles,
+                                  std::span<const std::uint8_t> keep, double longest);
+
+}  // namespace thicken

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "reconstruct/reconstruct.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "contour/dual_surface.h"
+#include "exact/box_tree.h"
+#include "measure/measure.h"
+#include "measure/stopwatch.h"
+#include "mesh/normals.h"
+#include "parallel_for.h"
+#include "reconstruct/assembly.h"
+#include "reconstruct/carrier.h"
+#include "reconstruct/settle.h"
+#include "reconstruct/shape.h"
+#include "sweep/sweep.h"
+#include "thicken/error.h"
+
+namespace thicken {
+
+namespace {
+
+constexpr int kDefaultRounds = 15;  // of shape optimisation; the paper takes 10 to 20
+constexpr int kMostRefinements = 24;
+constexpr double kMargin = 3;  // cells around the box grown by r
+
+struct Bounds {
+  Vec3 low, high;
+};
+Bounds boundsOf(const TriangleMesh& mesh) {
+  Bounds b{mesh.positions[mesh.triangles[0][0]], mesh.positions[mesh.triangles[0][0]]};
+  for (const Triangle& t : mesh.triangles)
+    for (const VertexId v : t) {
+      b.low = b.low.cwiseMin(mesh.positions[v]);
+      b.high = b.high.cwiseMax(mesh.positions[v]);
+    }
+  return b;
+}
+
+// Nodes at places that no coordinate of a file is likely to have; another try, other places.
+UniformGrid gridFor(const TriangleMesh& surface, double thickness, double width, int attempt) {
+  const Bounds b = boundsOf(surface);
+  const Vec3 shift{0.3819660112501051, 0.2360679774997896, 0.1458980337503154};
+  Vec3 origin = b.low - Vec3::Constant(thickness + kMargin * width);
+  GridIndex cells{};
+  for (int k = 0; k < 3; ++k) {
+    const double part = shift[k] * (attempt + 1);
+    origin[k] -= width * (part - std::floor(part));
+    cells[k] = static_cast<int>((b.high[k] + thickness + kMargin * width - origin[k]) / width) + 1;
+  }
+  return {origin, width, cells};
+}
+
+// Everything that one attempt makes; refinement changes `keep` and makes it anew.
+class Attempt {
+ public:
+  Attempt(const TriangleMesh& surface, const ClosestPointTree& tree, const SweepResult& swept,
+          const Options& options, double width, const RunContext& context, int threads)
+      : surface_(surface),
+        tree_(tree),
+        swept_(swept),
+        options_(options),
+        width_(width),
+        context_(context),
+        threads_(threads) {}
+
+  // Returns the triangles of assembly() that meet.
+  std::vector<TriangleId> run(std::span<const std::uint8_t> keep, Stopwatch& watch) {
+    const Carrier carrier = makeCarrier(swept_, surface_.triangles.size(), keep, width_);
+    const ClosestPointTree carrierTree(carrier.mesh);
+    const Membership membership(carrierTree, tree_, surface_.triangles.size(), options_.thickness);
+    for (int attempt = 0;; ++attempt) {
+      try {
+        contour(gridFor(surface_, options_.thickness, width_, attempt), carrier, membership, watch);
+        break;
+      } catch (const GridTouches&) {
+        if (attempt == kMostShifts)
+          throw Error(ErrorCode::kNoSolid,
+                      "no grid was found that the surface does not touch; change the cell width");
+      }
+    }
+    const int rounds = options_.smooth.value_or(kDefaultRounds);
+    const std::vector<Vec3> target =
+        shapedPositions(assembly_, dual_, crossings_, membership, width_, rounds, context_, threads_);
+    std::vector<TriangleId> meeting = settle(assembly_, target, context_, threads_);
+    watch.lap("shape");
+    return meeting;
+  }
+
+  [[nodiscard]] const Assembly& assembly() const { return assembly_; }
+
+ private:
+  static constexpr int kMostShifts = 8;
+
+  void contour(const UniformGrid& grid, const Carrier& carrier, const Membership& membership,
+               Stopwatch& watch) {
+    const auto onCarrier =
+        surfaceCrossings(grid, carrier.mesh.positions, carrier.mesh.triangles, context_, threads_);
+    const auto ways = rimWays(grid, carrier.mesh.positions, carrier.rim);
+    const Labels labels(grid, membership, context_, threads_);
+    watch.lap("field");
+    crossings_ = findCrossings(grid, labels, onCarrier, context_, threads_);
+    placeCrossings(crossings_, grid, membership, context_, threads_);
+    dual_ = dualSurface(crossings_, ways, grid, carrier.mesh.positions);
+    assembly_ = assemble(carrier, dual_, crossings_, ways);
+    watch.lap("faces");
+  }
+
+  const TriangleMesh& surface_;
+  const ClosestPointTree& tree_;
+  const SweepResult& swept_;
+  const Options& options_;
+  double width_;
+  const RunContext& context_;
+  int threads_;
+  std::vector<Crossing> crossings_;
+  DualSurface dual_;
+  Assembly assembly_;
+};
+
+// Marks the sweep's shell near the triangles that meet, first near, then farther, until there is
+// something new. Returns whether there was.
+bool refine(const SweepResult& swept, const exact::BoxTree& shell, const Assembly& assembly,
+            std::span<const TriangleId> meeting, double width, std::vector<std::uint8_t>& keep) {
+  bool any = false;
+  for (const TriangleId t : meeting) {
+    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+    for (const VertexId v : assembly.mesh.triangles[t]) {
+      low = low.cwiseMin(assembly.mesh.positions[v]);
+      high = high.cwiseMax(assembly.mesh.positions[v]);
+    }
+    if (t < assembly.carrierTriangles) continue;
+    for (double reach = width; reach < 64 * width; reach *= 2) {
+      bool grown = false;
+      for (const TriangleId s : shell.near(low - Vec3::Constant(reach), high + Vec3::Constant(reach))) {
+        grown |= keep[s] == 0;
+        keep[s] = 1;
+      }
+      any |= grown;
+      if (grown) break;
+    }
+  }
+  if (any) closeFans(swept.mesh, keep);
+  return any;
+}
+
+[[noreturn]] void refuse(const Assembly& assembly, std::span<const TriangleId> meeting) {
+  const Triangle& t = assembly.mesh.triangles[meeting.front()];
+  const Vec3& p = assembly.mesh.positions[t[0]];
+  Defect d;
+  d.code = ErrorCode::kNoSolid;
+  d.count = meeting.size();
+  d.place = p;
+  d.sentence = fmt::format(
+      "the reconstructed surface meets itself near ({:.6g}, {:.6g}, {:.6g}); a smaller cell width may tell "
+      "the "
+      "sheets apart there",
+      p.x(), p.y(), p.z());
+  const std::string sentence = d.sentence;
+  throw Error(ErrorCode::kNoSolid, sentence, {std::move(d)});
+}
+
+// How deep the solid is below each vertex: to where the field ends along the normal, or to the copy
+// that the carrier keeps.
+std::vector<double> depths(const TriangleMesh& surface, const ClosestPointTree& tree, double r,
+                           const RunContext& context, int threads) {
+  const auto normal =
+      vertexNormals(surface.positions, surface.triangles, faceNormals(surface.positions, surface.triangles));
+  std::vector<double> depth(surface.positions.size(), r);
+  constexpr int kSteps = 5;
+  parallelFor(depth.size(), threads, context, 128, [&](std::size_t v) {
+    double good = 0, bad = r;
+    for (int i = 0; i < kSteps; ++i) {
+      const double h = i == 0 ? 0.95 * r : (good + bad) / 2;
+      const Vec3 p = surface.positions[v] - h * normal[v];
+      const auto c = tree.closest(p);
+      const bool inside = c->onRim || insideThickened(p, *c, r);
+      (inside ? good : bad) = h;
+      if (i == 0 && inside) break;
+    }
+    depth[v] = good >= 0.95 * r ? r : good;
+  });
+  return depth;
+}
+
+Reconstruction finish(const Assembly& assembly, const TriangleMesh& surface, const SweepResult& swept,
+                      std::span<const std::uint8_t> keep, std::vector<double> depth) {
+  Reconstruction result;
+  result.depth = std::move(depth);
+  const std::size_t s = surface.triangles.size();
+  for (std::size_t t = s; t < keep.size(); ++t)
+    if (keep[t] && t < 2 * s && swept.region[t] == Region::kShell)
+      for (const VertexId v : surface.triangles[t - s])
+        result.depth[v] = std::min(result.depth[v], swept.depth[v]);
+  std::vector<VertexId> to(assembly.mesh.positions.size(), kNone);
+  for (VertexId v = 0; v < surface.positions.size(); ++v) to[v] = v;
+  result.mesh.positions = surface.positions;
+  for (std::size_t t = 0; t < assembly.mesh.triangles.size(); ++t) {
+    Triangle out{};
+    for (int k = 0; k < 3; ++k) {
+      VertexId& id = to[assembly.mesh.triangles[t][k]];
+      if (id == kNone) {
+        id = static_cast<VertexId>(result.mesh.positions.size());
+        result.mesh.positions.push_back(assembly.mesh.positions[assembly.mesh.triangles[t][k]]);
+      }
+      out[k] = id;
+    }
+    result.mesh.triangles.push_back(out);
+    result.region.push_back(assembly.region[t]);
+    result.full.push_back(t >= assembly.carrierTriangles && assembly.region[t] == Region::kShell);
+  }
+  return result;
+}
+
+}  // namespace
+
+double cellWidth(const TriangleMesh& surface, const Options& options) {
+  const double r = options.thickness;
+  if (options.cell) return *options.cell;
+  const Bounds b = boundsOf(surface);
+  const double longest = (b.high - b.low).maxCoeff() + 2 * r;
+  if (options.resolution) {
+    const double w = longest / *options.resolution;
+    if (w >= r / 2)
+      throw Error(
+          ErrorCode::kInvalidArgument,
+          fmt::format("a resolution of {} gives cells {:.4g} mm wide, which is not less than half the "
+                      "thickness (Remark 1 of the paper); ask for a resolution of {} or more",
+                      *options.resolution, w, static_cast<int>(std::floor(2 * longest / r)) + 1));
+    return w;
+  }
+  // r/4 is round to within 1 %; coarser where that would take very many cells.
+  constexpr double kManyCells = 4e5;
+  const double byArea = std::sqrt(areaOf(surface) / kManyCells);
+  return std::clamp(byArea, r / 4, r / 2.2);
+}
+
+Reconstruction reconstruct(const TriangleMesh& surface, const ClosestPointTree& tree, const Options& options,
+                           const RunContext& context, int threads, Stopwatch& watch) {
+  const double width = cellWidth(surface, options);
+  SweepResult swept = sweep(surface, tree, options.thickness, Side::kNegative, context, threads);
+  watch.lap("sweep");
+  std::vector<std::uint8_t> keep(swept.mesh.triangles.size(), 0), isShell(keep.size(), 0);
+  for (std::size_t t = 0; t < keep.size(); ++t) {
+    isShell[t] = swept.region[t] == Region::kShell;
+    keep[t] = !isShell[t];
+  }
+  closeFans(swept.mesh, keep);
+  const exact::BoxTree shell(swept.mesh.positions, swept.mesh.triangles, threads, isShell);
+  Attempt attempt(surface, tree, swept, options, width, context, threads);
+  for (std::size_t round = 0;; ++round) {
+    const std::vector<TriangleId> meeting = attempt.run(keep, watch);
+    if (meeting.empty()) {
+      Reconstruction result = finish(attempt.assembly(), surface, swept, keep,
+                                     depths(surface, tree, options.thickness, context, threads));
+      result.rounds = round;
+      result.cell = width;
+      return result;
+    }
+    if (round == kMostRefinements || !refine(swept, shell, attempt.assembly(), meeting, width, keep))
+      refuse(attempt.assembly(), meeting);
+  }
+}
+
+}  // namespace thicken

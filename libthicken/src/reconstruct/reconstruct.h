@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// The paper's method: the field of Definitions 1 and 2 on sparse cells, the contour of the part of ∂H
+// that is to be made, joined to the unsplit rim, shaped, tested exactly and refined where tests fail.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "thicken/closest_point.h"
+#include "thicken/options.h"
+#include "thicken/result.h"
+#include "thicken/run_context.h"
+
+namespace thicken {
+
+class Stopwatch;
+
+struct Reconstruction {
+  TriangleMesh mesh;               ///< S's vertices and triangles first
+  std::vector<Region> region;      ///< per triangle
+  std::vector<std::uint8_t> full;  ///< per triangle: 1 for shell that the field gave
+  std::vector<double> depth;       ///< mm per vertex of S
+  std::size_t rounds = 0;          ///< of local refinement
+  double cell = 0;                 ///< width, mm
+};
+
+/// The width of the cells that `options` mean for `surface`, mm: as given, by the resolution, or
+/// chosen. Throws kInvalidArgument where a resolution gives cells of r/2 or more (Remark 1).
+[[nodiscard]] double cellWidth(const TriangleMesh& surface, const Options& options);
+
+/// Reconstructs on the negative side of `surface` (valid, welded; `tree` is its tree). Throws kNoSolid
+/// with the place, kMemoryLimit, kCancelled. Stages are added to `watch`.
+[[nodiscard]] Reconstruction reconstruct(const TriangleMesh& surface, const ClosestPointTree& tree,
+                                         const Options& options, const RunContext& context, int threads,
+                                         Stopwatch& watch);
+
+}  // namespace thicken

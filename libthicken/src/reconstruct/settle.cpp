@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "reconstruct/settle.h"
+
+#include <algorithm>
+
+#include "exact/predicates.h"
+#include "mesh/float_lattice.h"
+
+namespace thicken {
+
+namespace {
+
+using Ids = std::vector<std::uint32_t>;
+
+void sortUnique(Ids& ids) {
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+}
+
+class Settler {
+ public:
+  Settler(Assembly& assembly, std::span<const Vec3> target, const RunContext& context, int threads)
+      : a_(assembly),
+        target_(target),
+        context_(context),
+        threads_(threads),
+        start_(assembly.mesh.positions.begin() + static_cast<std::ptrdiff_t>(assembly.carrierVertices),
+               assembly.mesh.positions.end()),
+        share_(start_.size(), 1),
+        around_(vertexTriangles(assembly.mesh.positions.size(), assembly.mesh.triangles)),
+        fixed_(assembly.mesh.triangles.size(), 0) {
+    std::fill_n(fixed_.begin(), assembly.carrierTriangles, std::uint8_t{1});
+    for (std::size_t i = 0; i < start_.size(); ++i) position(i) = roundToFloat(target[i]);
+  }
+
+  Ids run() {
+    exact::BoxTree tree(a_.mesh.positions, a_.mesh.triangles, threads_);
+    pairs_ = tree.meetingPairs(a_.mesh.positions, a_.mesh.triangles, fixed_, context_, threads_);
+    for (auto t = static_cast<TriangleId>(a_.carrierTriangles); t < a_.mesh.triangles.size(); ++t)
+      if (isFlat(t)) flat_.push_back(t);
+    for (int round = 0; round < kBackwards + kRelaxations && !clear(); ++round) {
+      context_.throwIfCancelled();
+      Ids moved = involved(round < kBackwards ? 0 : (round - kBackwards) % 4 / 2);
+      if (moved.empty()) break;
+      if (round < kBackwards)
+        goBack(moved, round + 1 == kBackwards);
+      else
+        relax(moved);
+      retest(tree, moved);
+    }
+    return meeting();
+  }
+
+ private:
+  static constexpr int kBackwards = 3;
+  static constexpr int kRelaxations = 16;
+
+  Vec3& position(std::size_t i) { return a_.mesh.positions[a_.carrierVertices + i]; }
+  [[nodiscard]] bool clear() const { return pairs_.empty() && flat_.empty(); }
+  [[nodiscard]] bool isFlat(TriangleId t) const {
+    const auto& [a, b, c] = a_.mesh.triangles[t];
+    return exact::collinear(a_.mesh.positions[a], a_.mesh.positions[b], a_.mesh.positions[c]);
+  }
+
+  [[nodiscard]] Ids meeting() const {
+    Ids ids(flat_);
+    for (const auto& [x, y] : pairs_) {
+      ids.push_back(x);
+      ids.push_back(y);
+    }
+    sortUnique(ids);
+    return ids;
+  }
+
+  // The contour's vertices of the triangles that meet, and `rings` of neighbours.
+  [[nodiscard]] Ids involved(int rings) const {
+    Ids ids, triangles = meeting();
+    for (int ring = 0;; ++ring) {
+      for (const TriangleId t : triangles)
+        for (const VertexId v : a_.mesh.triangles[t])
+          if (v >= a_.carrierVertices) ids.push_back(static_cast<std::uint32_t>(v - a_.carrierVertices));
+      sortUnique(ids);
+      if (ring == rings) return ids;
+      triangles.clear();
+      for (const std::uint32_t i : ids)
+        for (const TriangleId t : around_.of(static_cast<VertexId>(a_.carrierVertices + i)))
+          triangles.push_back(t);
+      sortUnique(triangles);
+    }
+  }
+
+  void goBack(const Ids& ids, bool wholly) {
+    for (const std::uint32_t i : ids) {
+      share_[i] = wholly ? 0 : share_[i] / 2;
+      position(i) = roundToFloat(start_[i] + share_[i] * (target_[i] - start_[i]));
+    }
+  }
+
+  // Each vertex half-way to the mean of its neighbours.
+  void relax(const Ids& ids) {
+    std::vector<Vec3> next(ids.size());
+    for (std::size_t k = 0; k < ids.size(); ++k) {
+      const auto v = static_cast<VertexId>(a_.carrierVertices + ids[k]);
+      Vec3 sum = Vec3::Zero();
+      double count = 0;
+      for (const TriangleId t : around_.of(v))
+        for (const VertexId w : a_.mesh.triangles[t])
+          if (w != v) {
+            sum += a_.mesh.positions[w];
+            ++count;
+          }
+      next[k] = roundToFloat((a_.mesh.positions[v] + sum / count) / 2);
+    }
+    for (std::size_t k = 0; k < ids.size(); ++k) position(ids[k]) = next[k];
+  }
+
+  void retest(exact::BoxTree& tree, const Ids& moved) {
+    Ids triangles;
+    for (const std::uint32_t i : moved)
+      for (const TriangleId t : around_.of(static_cast<VertexId>(a_.carrierVertices + i)))
+        triangles.push_back(t);
+    sortUnique(triangles);
+    tree.refit(a_.mesh.positions, a_.mesh.triangles, triangles);
+    const auto hasMoved = [&](TriangleId t) {
+      return std::binary_search(triangles.begin(), triangles.end(), t);
+    };
+    std::erase_if(pairs_,
+                  [&](const exact::TrianglePair& p) { return hasMoved(p.first) || hasMoved(p.second); });
+    std::erase_if(flat_, hasMoved);
+    const auto now =
+        tree.meetingPairsWith(triangles, a_.mesh.positions, a_.mesh.triangles, fixed_, context_, threads_);
+    pairs_.insert(pairs_.end(), now.begin(), now.end());
+    for (const TriangleId t : triangles)
+      if (isFlat(t)) flat_.push_back(t);
+  }
+
+  Assembly& a_;
+  std::span<const Vec3> target_;
+  const RunContext& context_;
+  int threads_;
+  std::vector<Vec3> start_;
+  std::vector<double> share_;
+  VertexTriangles around_;
+  std::vector<std::uint8_t> fixed_;
+  std::vector<exact::TrianglePair> pairs_;
+  Ids flat_;
+};
+
+}  // namespace
+
+std::vector<TriangleId> settle(Assembly& assembly, std::span<const Vec3> target, const RunContext& context,
+                               int threads) {
+  return Settler(assembly, target, context, threads).run();
+}
+
+}  // namespace thicken

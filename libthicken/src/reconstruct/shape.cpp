@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "reconstruct/shape.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "parallel_for.h"
+
+namespace thicken {
+
+namespace {
+
+constexpr double kAlpha = 0.25;  // the paper's blending factor
+// Weight of the mean against one plane: decides only in the directions that no plane decides.
+constexpr double kPull = 0.02;
+
+class Shaper {
+ public:
+  Shaper(const Assembly& assembly, const DualSurface& dual, std::vector<Crossing>& crossings, double cell,
+         const RunContext& context, int threads)
+      : dual_(dual),
+        crossings_(crossings),
+        cell_(cell),
+        context_(context),
+        threads_(threads),
+        at_(assembly.mesh.positions.begin() + static_cast<std::ptrdiff_t>(assembly.carrierVertices),
+            assembly.mesh.positions.end()) {
+    for (std::uint32_t c = 0; c < crossings.size(); ++c)
+      if (crossings[c].beyond == Standing::kRim) wall_.push_back(c);
+  }
+
+  void round() {
+    smoothWallNormals();
+    std::vector<Vec3> next = at_;
+    parallelFor(dual_.vertexCount, threads_, context_, 512, [&](std::size_t v) {
+      next[v] = (1 - kAlpha) * at_[v] + kAlpha * optimum(static_cast<VertexId>(v));
+    });
+    at_ = std::move(next);
+  }
+
+  [[nodiscard]] bool onShell(VertexId v) const {
+    bool any = false;
+    for (const std::uint32_t c : crossingsOf(v)) {
+      if (crossings_[c].beyond != Standing::kFar) return false;
+      any = true;
+    }
+    return any;
+  }
+
+  std::vector<Vec3>& positions() { return at_; }
+
+ private:
+  [[nodiscard]] std::span<const std::uint32_t> crossingsOf(VertexId v) const {
+    return std::span(dual_.crossingsOf)
+        .subspan(dual_.crossingOffset[v], dual_.crossingOffset[v + 1] - dual_.crossingOffset[v]);
+  }
+
+  // The point that is nearest to the tangent planes of the vertex' crossings, kept near its start.
+  [[nodiscard]] Vec3 optimum(VertexId v) const {
+    const Vec3& start = dual_.start[v];
+    Eigen::Matrix3d a = kPull * Eigen::Matrix3d::Identity();
+    Vec3 b = Vec3::Zero();
+    for (const std::uint32_t c : crossingsOf(v)) {
+      const Vec3& n = crossings_[c].normal;
+      a += n * n.transpose();
+      b += n * n.dot(crossings_[c].at - start);
+    }
+    Vec3 step = a.ldlt().solve(b);
+    const double most = step.cwiseAbs().maxCoeff();
+    if (!(most <= cell_)) step *= most > 0 ? cell_ / most : 0;
+    return start + step;
+  }
+
+  // The wall has no normal of its own (q − c lies in it): that of its faces, smoothed.
+  void smoothWallNormals() {
+    std::vector<Vec3> sum(dual_.vertexCount, Vec3::Zero());
+    for (const std::uint32_t c : wall_) {
+      const auto& f = dual_.faces[c];
+      Vec3 n = Vec3::Zero();
+      for (std::size_t k = 1; k + 1 < f.size(); ++k)
+        n += (at_[f[k]] - at_[f[0]]).cross(at_[f[k + 1]] - at_[f[0]]);
+      n.stableNormalize();
+      for (const VertexId v : f) sum[v] += n;
+    }
+    for (const std::uint32_t c : wall_) {
+      Vec3 n = Vec3::Zero();
+      for (const VertexId v : dual_.faces[c]) n += sum[v];
+      crossings_[c].normal = n.stableNormalized();
+    }
+  }
+
+  const DualSurface& dual_;
+  std::vector<Crossing>& crossings_;
+  double cell_;
+  const RunContext& context_;
+  int threads_;
+  std::vector<Vec3> at_;
+  std::vector<std::uint32_t> wall_;
+};
+
+}  // namespace
+
+std::vector<Vec3> shapedPositions(const Assembly& assembly, const DualSurface& dual,
+                                  std::vector<Crossing>& crossings, const Membership& membership, double cell,
+                                  int rounds, const RunContext& context, int threads) {
+  Shaper shaper(assembly, dual, crossings, cell, context, threads);
+  for (int i = 0; i < rounds; ++i) shaper.round();
+  std::vector<Vec3> at = std::move(shaper.positions());
+  if (rounds == 0) return at;
+  const double r = membership.thickness();
+  parallelFor(dual.vertexCount, threads, context, 128, [&](std::size_t v) {
+    if (!shaper.onShell(static_cast<VertexId>(v))) return;
+    const auto c = membership.surface().closest(at[v]);
+    if (c->onRim || c->distance < r / 2 || std::abs(c->distance - r) > cell / 2) return;
+    at[v] = c->point + (r / c->distance) * (at[v] - c->point);
+  });
+  return at;
+}
+
+}  // namespace thicken

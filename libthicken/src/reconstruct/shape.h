@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Where the contour's vertices should stand (paper §4.3): rounds that smooth the wall's normals and
+// move each vertex a quarter of the way to the minimiser of its quadratic error function; vertices of
+// the shell then at their exact distance from S.
+#pragma once
+
+#include "field/membership.h"
+#include "reconstruct/assembly.h"
+
+namespace thicken {
+
+/// Target of every vertex of the contour, in the assembly's order. `crossings` get the wall's smoothed
+/// normals. `rounds` may be 0: the means of the crossings.
+[[nodiscard]] std::vector<Vec3> shapedPositions(const Assembly& assembly, const DualSurface& dual,
+                                                std::vector<Crossing>& crossings,
+                                                const Membership& membership, double cell, int rounds,
+                                                const RunContext& context, int threads);
+
+}  // namespace thicken
