@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING
 __version__ = "0.1.0"
 
 if TYPE_CHECKING:
-    from .arrays import Region, ThickenedMesh, check_mesh, read_mesh, thicken_mesh, write_mesh
-    from .feature import make_thicken
     from ._thicken import RunContext, ThickenError
+    from .arrays import Region, ThickenedMesh, check_mesh, read_mesh, thicken_mesh, weld_mesh, write_mesh
+    from .feature import make_thicken
 
 _HOMES = {
     "Region": "arrays",
@@ -23,6 +23,7 @@ _HOMES = {
     "check_mesh": "arrays",
     "read_mesh": "arrays",
     "thicken_mesh": "arrays",
+    "weld_mesh": "arrays",
     "write_mesh": "arrays",
     "make_thicken": "feature",
     "RunContext": "native",

@@ -34,7 +34,7 @@ class Region(IntEnum):
 class ThickenedMesh(NamedTuple):
     """A solid whose validity has been proved, and the facts about it."""
 
-    vertices: NDArray[np.float64]  #: n × 3, the surface's own first
+    vertices: NDArray[np.float64]  #: n × 3, those of weld_mesh() first
     triangles: NDArray[np.int64]  #: m × 3, the surface's own first and in their order
     region: NDArray[np.uint8]  #: m values of Region
     depth: NDArray[np.float64]  #: how deep the solid is below each vertex of the surface
@@ -60,7 +60,7 @@ def thicken_mesh(
 ) -> ThickenedMesh:
     """Return the solid of `thickness` on one side of the surface, every triangle of which it keeps.
 
-    Corners with equal coordinates become one vertex first. `precision` is that of the format the
+    Corners with equal coordinates become one vertex first, as by weld_mesh(). `precision` is that of the format the
     solid is meant for: with "single" (STL, FreeCAD) the surface is rounded to float before anything
     else, with "double" its coordinates stay; new vertices hold float values in either case.
     `memory` is a limit in MiB. `context` polls and cancels the run from another thread; Ctrl-C
@@ -98,9 +98,18 @@ def check_mesh(
 ) -> dict[str, Any]:
     """Return what kind of surface it is and every defect of it, as the object of docs/report.md.
 
-    It is a valid input when the entry "defects" is empty. Ids are those of the welded mesh.
+    It is a valid input when the entry "defects" is empty. Vertex ids are those of weld_mesh().
     """
     return native.load().check(vertices, triangles, threads=threads, context=context)
+
+
+def weld_mesh(vertices: ArrayLike, triangles: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+    """Return the mesh with corners of equal coordinates made one vertex, as every run begins.
+
+    Vertices come in the order in which the triangles use them, triangles stay as they are. Results
+    and defects name the vertices of this mesh.
+    """
+    return native.load().weld(vertices, triangles)
 
 
 def read_mesh(path: str | os.PathLike[str]) -> tuple[NDArray[np.float64], NDArray[np.int64]]:

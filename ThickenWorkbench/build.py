@@ -80,10 +80,12 @@ def _sentences(error: Any, source: Any) -> str:
     if not parts or not str(error).startswith(parts[0]):
         parts.insert(0, str(error))
     placement = source.getGlobalPlacement()
-    if error.defects and not placement.isIdentity():
-        place = placement.multVec(App.Vector(*error.defects[0]["place_mm"]))
-        parts.append(f"With the Placement of “{source.Label}”, that is at ({place.x:g}, {place.y:g}, {place.z:g}) mm.")
-    return " ".join(parts)
+    located = [defect for defect in error.defects if defect["triangles"] or defect["edges"] or defect["vertices"]]
+    if located and not placement.isIdentity():
+        place = placement.multVec(App.Vector(*located[0]["place_mm"]))
+        where = f"({place.x:g}, {place.y:g}, {place.z:g}) mm"
+        parts.append(f"with the Placement of “{source.Label}” the first place is at {where}")
+    return " ".join(part[:1].upper() + part[1:].rstrip(".") + "." for part in parts)
 
 
 def placement_in_parent_of(feature: Any, source: Any) -> Any:

@@ -27,8 +27,7 @@ std::string shapeText(const py::array& array) {
 /// `source` as a k × 3 array whose dtype is of one of the `kinds` (NumPy's one-letter kinds). An
 /// array without elements has no type worth checking: an empty list arrives as float64.
 py::array tableOf(const py::handle& source, const char* what, std::string_view kinds, const char* wanted) {
-  py::array array = py::array::ensure(source);
-  if (!array) throw py::error_already_set();
+  const py::array array(py::reinterpret_borrow<py::object>(source));
   if (array.size() == 0) return py::array_t<double>(std::vector<py::ssize_t>{0, 3});
   if (kinds.find(array.dtype().kind()) == std::string_view::npos)
     throw py::type_error(std::string(what) + " must be " + wanted + ", not of type " +
@@ -38,12 +37,9 @@ py::array tableOf(const py::handle& source, const char* what, std::string_view k
   return array;
 }
 
+/// Contiguous, in rows; converting an array to it copies where it has to, and raises where it cannot.
 template <class T>
-py::array_t<T, py::array::c_style | py::array::forcecast> contiguous(const py::array& array) {
-  auto result = py::array_t<T, py::array::c_style | py::array::forcecast>::ensure(array);
-  if (!result) throw py::error_already_set();
-  return result;
-}
+using Rows = py::array_t<T, py::array::c_style | py::array::forcecast>;
 
 template <class T>
 py::capsule ownerOf(std::unique_ptr<T>& held) {
@@ -55,8 +51,8 @@ py::capsule ownerOf(std::unique_ptr<T>& held) {
 }  // namespace
 
 TriangleMesh meshFrom(const py::handle& vertices, const py::handle& triangles) {
-  const auto positions = contiguous<double>(tableOf(vertices, "vertices", "fiu", "real numbers"));
-  const auto indices = contiguous<std::int64_t>(tableOf(triangles, "triangles", "iu", "integers"));
+  const auto positions = Rows<double>(tableOf(vertices, "vertices", "fiu", "real numbers"));
+  const auto indices = Rows<std::int64_t>(tableOf(triangles, "triangles", "iu", "integers"));
   const auto n = static_cast<std::int64_t>(positions.shape(0));
   if (n > std::numeric_limits<VertexId>::max() || indices.shape(0) > std::numeric_limits<TriangleId>::max())
     throw Error(ErrorCode::kTooLarge,

@@ -47,7 +47,8 @@ class SaveAndReopen(DocumentCase):
         self.assertEqual(values(feature), before)
         for array, array_before in zip(mesh_io.arrays_from_mesh(feature.Mesh), mesh_before):
             self.assertEqual(array.tobytes(), array_before.tobytes())
-        self.assertTrue(feature.Placement.isSame(PLACEMENT, 1e-12))
+        for number, saved in zip(feature.Placement.toMatrix().A, PLACEMENT.toMatrix().A):
+            self.assertAlmostEqual(number, saved, places=12)
         self.assert_solid(feature)
         self.assertNotIn("Touched", feature.State)
 

@@ -1,0 +1,282 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""thicken_mesh() and its companions: what they take, what they return, what they refuse."""
+
+import math
+import pickle
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+from ThickenWorkbench import (
+    Region,
+    RunContext,
+    ThickenError,
+    check_mesh,
+    read_mesh,
+    thicken_mesh,
+    weld_mesh,
+    write_mesh,
+)
+from thicken_judge import is_closed_and_oriented, keeps, volume
+from thicken_surfaces import crossing_plates, fin, plate, saddle, together
+
+
+class Result(unittest.TestCase):
+    def test_is_a_solid_that_keeps_the_surface(self):
+        vertices, triangles = saddle()
+        for side in ("negative", "positive"):
+            with self.subTest(side=side):
+                solid = thicken_mesh(vertices, triangles, 2, side=side)
+                corners = solid.vertices[solid.triangles]
+                self.assertTrue(is_closed_and_oriented(corners))
+                self.assertTrue(keeps(corners, vertices[triangles], reversed_sense=side == "positive"))
+                self.assertAlmostEqual(volume(corners), solid.report["output"]["volume_mm3"], places=6)
+
+    def test_types_and_shapes(self):
+        vertices, triangles = plate()
+        solid = thicken_mesh(vertices, triangles, 2)
+        self.assertEqual((solid.vertices.dtype, solid.vertices.shape[1]), (np.float64, 3))
+        self.assertEqual((solid.triangles.dtype, solid.triangles.shape[1]), (np.int64, 3))
+        self.assertEqual((solid.region.dtype, len(solid.region)), (np.uint8, len(solid.triangles)))
+        self.assertEqual((solid.depth.dtype, len(solid.depth)), (np.float64, len(vertices)))
+        for array in solid[:4]:
+            self.assertTrue(array.flags.c_contiguous and array.flags.writeable)
+
+    def test_plate(self):
+        vertices, triangles = plate(size=20)
+        solid = thicken_mesh(vertices, triangles, 2)
+        # The surface comes first: its triangles in their order, its vertices in that of first use.
+        kept = solid.triangles[: len(triangles)]
+        np.testing.assert_array_equal(solid.vertices[kept], vertices[triangles])
+        self.assertEqual(set(kept.ravel()), set(range(len(vertices))))
+        np.testing.assert_allclose(solid.depth, 2)
+        self.assertAlmostEqual(solid.report["output"]["volume_mm3"], 800, places=6)
+        counts = np.bincount(solid.region, minlength=3)
+        self.assertEqual(counts[Region.ORIGINAL], len(triangles))
+        self.assertEqual(counts[Region.SHELL], solid.report["output"]["shell_triangles"])
+        self.assertEqual(counts[Region.WALL], solid.report["output"]["wall_triangles"])
+        wall = solid.vertices[solid.triangles[solid.region == Region.WALL]]
+        self.assertTrue((np.abs(wall[..., :2]).max(axis=(1, 2)) == 10).all())
+
+    def test_double_precision_keeps_doubles(self):
+        vertices, triangles = saddle()
+        vertices = vertices.astype(float) * math.pi
+        for precision, expected in [("double", vertices), ("single", vertices.astype(np.float32))]:
+            solid = thicken_mesh(vertices, triangles, 2, precision=precision)
+            kept = solid.vertices[solid.triangles[: len(triangles)]]
+            np.testing.assert_array_equal(kept, expected[triangles], precision)
+
+    def test_result_outlives_the_call(self):
+        vertices = thicken_mesh(*plate(), 2).vertices
+        copy = vertices.copy()
+        [thicken_mesh(*saddle(), 1) for _ in range(3)]
+        np.testing.assert_array_equal(vertices, copy)
+
+    def test_same_bytes_for_any_number_of_threads(self):
+        one, four = (thicken_mesh(*saddle(), 2, threads=threads) for threads in (1, 4))
+        for a, b in zip(one[:4], four[:4]):
+            self.assertEqual(a.tobytes(), b.tobytes())
+
+
+class Arguments(unittest.TestCase):
+    def test_any_real_type_and_layout_of_vertices(self):
+        vertices, triangles = plate(n=5)  # whole halves: exact in every type below
+        expected = thicken_mesh(vertices, triangles, 1).vertices
+        wide = np.zeros((len(vertices), 7))
+        wide[:, 1:7:2] = vertices
+        for given in [
+            vertices.astype(float),
+            vertices.astype(np.float16),
+            vertices.astype(">f8"),
+            vertices.astype(np.longdouble),
+            vertices.astype(np.int32),
+            np.asfortranarray(vertices),
+            wide[:, 1:7:2],
+            vertices.tolist(),
+            vertices[::-1][::-1],
+        ]:
+            np.testing.assert_array_equal(thicken_mesh(given, triangles, 1).vertices, expected)
+
+    def test_any_integer_type_and_layout_of_triangles(self):
+        vertices, triangles = plate()
+        expected = thicken_mesh(vertices, triangles, 1).triangles
+        for given in [
+            triangles.astype(np.uint8),
+            triangles.astype(np.int16),
+            triangles.astype(">u4"),
+            triangles.astype(np.uint64),
+            np.asfortranarray(triangles),
+            np.repeat(triangles, 2, axis=0)[::2],
+            triangles.tolist(),
+        ]:
+            np.testing.assert_array_equal(thicken_mesh(vertices, given, 1).triangles, expected)
+
+    def test_input_is_not_changed(self):
+        vertices, triangles = saddle()
+        vertices.flags.writeable = triangles.flags.writeable = False
+        copies = vertices.copy(), triangles.copy()
+        thicken_mesh(vertices, triangles, 1)
+        np.testing.assert_array_equal(vertices, copies[0])
+        np.testing.assert_array_equal(triangles, copies[1])
+
+    def test_wrong_types(self):
+        vertices, triangles = plate()
+        for v, t in [
+            (vertices.astype(complex), triangles),
+            (vertices.astype(str), triangles),
+            (vertices.astype(object), triangles),
+            (vertices > 0, triangles),
+            (vertices, triangles.astype(float)),
+            (vertices, triangles > 0),
+            (None, triangles),
+        ]:
+            with self.assertRaises(TypeError):
+                thicken_mesh(v, t, 1)
+
+    def test_wrong_shapes(self):
+        vertices, triangles = plate()
+        for v, t in [
+            (vertices[:, :2], triangles),
+            (vertices.ravel(), triangles),
+            (vertices[None], triangles),
+            (vertices, triangles[:, :2]),
+            (vertices, triangles.ravel()),
+            ([[0, 0, 0], [1]], triangles),
+        ]:
+            with self.assertRaises(ValueError):
+                thicken_mesh(v, t, 1)
+
+    def test_indices_out_of_range(self):
+        vertices, triangles = plate()
+        for index in (-1, len(vertices), 2**32, -(2**63), 2**63 - 1):
+            wrong = triangles.astype(np.int64)
+            wrong[7, 1] = index
+            with self.assertRaisesRegex(ValueError, f"triangle 7 .*{index}"):
+                thicken_mesh(vertices, wrong, 1)
+        with self.assertRaises(ValueError):
+            thicken_mesh(vertices, np.full((1, 3), 2**64 - 1, np.uint64), 1)
+
+    def test_thickness(self):
+        for thickness in (0, -1, math.nan, math.inf):
+            with self.assertRaisesRegex(ValueError, "thickness"):
+                thicken_mesh(*plate(), thickness)
+        with self.assertRaises(TypeError):
+            thicken_mesh(*plate(), "2 mm")
+        thicken_mesh(*plate(), np.float32(1))
+
+    def test_words(self):
+        for wrong in ({"side": "up"}, {"method": "magic"}, {"precision": "half"}):
+            with self.assertRaisesRegex(ValueError, next(iter(wrong))):
+                thicken_mesh(*plate(), 1, **wrong)
+
+    def test_options_out_of_range_are_the_library_s_to_refuse(self):
+        for wrong in ({"cell": 0.6}, {"cell": -1}, {"tolerance": 0}, {"resolution": 0}, {"smooth": 101}, {"threads": -1}):
+            with self.assertRaises(ThickenError) as caught:
+                thicken_mesh(*plate(), 1, **wrong)
+            self.assertEqual(caught.exception.code, "usage", wrong)
+
+    def test_memory(self):
+        with self.assertRaises(ThickenError) as caught:
+            thicken_mesh(*plate(n=200), 1, memory=1)
+        self.assertEqual(caught.exception.code, "memory-limit")
+        with self.assertRaises(ValueError):
+            thicken_mesh(*plate(), 1, memory=0)
+        context = RunContext()
+        thicken_mesh(*plate(), 1, memory=0.5 * 1024, context=context)
+        self.assertEqual(context.memory_limit, 512 << 20)
+
+
+class Refusals(unittest.TestCase):
+    def refused(self, vertices, triangles, **arguments):
+        with self.assertRaises(ThickenError) as caught:
+            thicken_mesh(vertices, triangles, 1, **arguments)
+        self.assertIsInstance(caught.exception, RuntimeError)
+        self.assertGreater(len(str(caught.exception)), 20)
+        return caught.exception
+
+    def test_not_manifold(self):
+        error = self.refused(*fin())
+        self.assertEqual(error.code, "not-manifold")
+        _, welded = weld_mesh(*fin())
+        self.assertEqual([sorted(edge) for edge in error.defects[0]["edges"]], [sorted(welded[-1, :2])])
+
+    def test_self_intersecting(self):
+        error = self.refused(*crossing_plates())
+        self.assertEqual(error.code, "self-intersecting")
+        (defect,) = error.defects
+        self.assertLess(abs(defect["place_mm"][0]), 2.0)
+        self.assertEqual(len(defect["triangles"]) % 2, 0)
+
+    def test_all_defects_at_once(self):
+        far = crossing_plates()[0] + [100, 0, 0], crossing_plates()[1]
+        codes = [defect["code"] for defect in self.refused(*together(fin(), far)).defects]
+        self.assertEqual(sorted(codes), ["not-manifold", "self-intersecting"])
+
+    def test_not_finite(self):
+        for value in (math.nan, math.inf, 1e300):
+            vertices = plate()[0].astype(float)
+            vertices[3, 1] = value
+            self.assertEqual(self.refused(vertices, plate()[1]).code, "not-finite")
+
+    def test_empty(self):
+        for vertices, triangles in [([], []), (plate()[0], []), (np.empty((0, 3)), np.empty((0, 3), int))]:
+            self.assertEqual(self.refused(vertices, triangles).code, "empty")
+
+    def test_error_can_be_pickled(self):
+        error = self.refused(*fin())
+        again = pickle.loads(pickle.dumps(error))
+        self.assertEqual((str(again), again.code, again.defects), (str(error), error.code, error.defects))
+
+
+class Check(unittest.TestCase):
+    def test_valid_surface(self):
+        found = check_mesh(*plate(size=20))
+        self.assertEqual((found["status"], found["defects"]), ("ok", []))
+        self.assertEqual(found["input"]["triangles"], len(plate()[1]))
+        self.assertEqual(found["input"]["rims"], 1)
+        self.assertAlmostEqual(found["input"]["area_mm2"], 400)
+
+    def test_defects(self):
+        self.assertEqual(check_mesh(*fin())["defects"][0]["code"], "not-manifold")
+
+    def test_equal_corners_are_one_vertex(self):
+        vertices, triangles = plate()
+        soup = vertices[triangles].reshape(-1, 3), np.arange(3 * len(triangles)).reshape(-1, 3)
+        self.assertEqual(check_mesh(*soup)["input"]["vertices"], len(vertices))
+
+
+class Files(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def test_round_trip(self):
+        vertices, triangles = saddle()
+        for name in ("a.stl", "ä b.ply", "a.obj", "a.off"):
+            path = self.folder / name
+            write_mesh(path, vertices, triangles)
+            read_vertices, read_triangles = read_mesh(str(path))
+            np.testing.assert_array_equal(read_vertices[read_triangles], vertices[triangles], name)
+
+    def test_missing_file(self):
+        with self.assertRaises(ThickenError) as caught:
+            read_mesh(self.folder / "missing.stl")
+        self.assertEqual(caught.exception.code, "unreadable")
+        self.assertIn("missing.stl", str(caught.exception))
+
+    def test_folder_that_is_not_there(self):
+        with self.assertRaises(ThickenError) as caught:
+            write_mesh(self.folder / "no" / "a.stl", *saddle())
+        self.assertEqual(caught.exception.code, "unwritable")
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_path_of_another_type(self):
+        with self.assertRaises(TypeError):
+            read_mesh(7)
+
+
+if __name__ == "__main__":
+    unittest.main()
