@@ -51,13 +51,12 @@ class ThickenViewProvider:
 def attach_view_provider(obj: Any) -> None:
     """Give `obj` its view provider unless it has one.
 
-    A document made without a display has no views; opened with one, FreeCAD makes a view whose
-    Proxy is a number, and hides the object.
+    A document made without a display has no views; opened with one, FreeCAD makes views without a
+    Proxy, and hides the objects. What a document saved with a display says of the view is read
+    afterwards and stays.
     """
     view = obj.ViewObject
     if view is None or isinstance(view.Proxy, ThickenViewProvider):
         return
-    was_made_headless = isinstance(view.Proxy, int)
     ThickenViewProvider(view)
-    if was_made_headless:
-        view.Visibility = True
+    view.Visibility = True
