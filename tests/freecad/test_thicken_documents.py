@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Saving and reopening."""
 
+import os
 import zipfile
+from pathlib import Path
+from unittest import mock
 
 import FreeCAD as App
 import numpy as np
 
 import ThickenWorkbench
-from ThickenWorkbench import mesh_io, params
+from ThickenWorkbench import mesh_io, native, params
 from thicken_case import DocumentCase
 from thicken_surfaces import fin, plate, saddle
 
@@ -120,3 +123,44 @@ class SaveAndReopen(DocumentCase):
         self.assert_solid(copy)
         self.assertLess(copy.Volume.Value, feature.Volume.Value)
         self.assertTrue(np.isclose(feature.Thickness.Value, 1.25))
+
+    def test_opens_without_the_extension(self):
+        triangles = self.make().TriangleCount
+        with mock.patch.object(native, "_loaded", None):
+            with mock.patch.dict(os.environ, {native.DIRECTORY_VARIABLE: str(self.folder)}):
+                feature = self.reopened()
+                self.assertEqual(feature.Mesh.CountFacets, triangles)
+                self.assert_solid(feature)
+
+
+class OlderDocuments(DocumentCase):
+    """One document of every schema there has been, made by make_fixture()."""
+
+    FIXTURES = Path(__file__).parent / "fixtures"
+
+    def test_every_schema_has_a_document(self):
+        names = sorted(path.name for path in self.FIXTURES.glob("*.FCStd"))
+        self.assertEqual(names, [f"schema_{n}.FCStd" for n in range(1, params.SCHEMA_VERSION + 1)])
+
+    def test_they_open_and_recompute(self):
+        for path in sorted(self.FIXTURES.glob("*.FCStd")):
+            with self.subTest(path.name):
+                doc = App.openDocument(str(path))
+                feature = doc.getObject("Thicken")
+                self.assertEqual(feature.SchemaVersion, params.SCHEMA_VERSION)
+                self.assertEqual((feature.Thickness.Value, feature.Side), (1.5, "Positive"))
+                self.assert_solid(feature)
+                feature.Thickness = 1
+                doc.recompute()
+                self.assert_solid(feature)
+                self.assertAlmostEqual(feature.Volume.Value, 100, places=6)
+
+
+def make_fixture() -> None:
+    """Write the document of the present schema; to be called once, before the next one is begun."""
+    doc = App.newDocument("Fixture")
+    source = doc.addObject("Mesh::Feature", "Scan")
+    source.Mesh = mesh_io.mesh_from_arrays(*plate(size=10, n=4))
+    ThickenWorkbench.make_thicken(doc, source, thickness=1.5, side="positive")
+    OlderDocuments.FIXTURES.mkdir(exist_ok=True)
+    doc.saveAs(str(OlderDocuments.FIXTURES / f"schema_{params.SCHEMA_VERSION}.FCStd"))
