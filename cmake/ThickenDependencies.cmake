@@ -4,7 +4,6 @@
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(fmt 9 REQUIRED)
 find_package(nlohmann_json 3.10 REQUIRED)
-find_package(tinyobjloader REQUIRED)
 find_package(LibZip REQUIRED)
 if(THICKEN_OPENMP)
   find_package(OpenMP REQUIRED COMPONENTS CXX)

@@ -12,6 +12,7 @@
 #include "mesh/float_lattice.h"
 #include "parallel_for.h"
 #include "plan.h"
+#include "reconstruct/reconstruct.h"
 #include "sweep/sweep.h"
 
 namespace thicken {
@@ -52,6 +53,25 @@ Solid assemble(SweepResult& swept, const SurfaceFacts& input, const Options& opt
   report.threads = threads;
   report.droppedCopies = swept.droppedCopies;
   report.rounds = swept.rounds;
+  return solid;
+}
+
+// The paper's method.
+Solid reconstructed(const TriangleMesh& oriented, const ClosestPointTree& tree, const SurfaceFacts& input,
+                    const Options& options, const RunContext& context, int threads, Stopwatch& watch) {
+  Reconstruction made = reconstruct(oriented, tree, options, context, threads, watch);
+  Solid solid;
+  solid.mesh = std::move(made.mesh);
+  solid.region = std::move(made.region);
+  solid.depth = std::move(made.depth);
+  Report& report = solid.report;
+  report.input = input;
+  report.thickness = options.thickness;
+  report.side = options.side;
+  report.method = Method::kReconstruct;
+  report.threads = threads;
+  report.cell = made.cell;
+  report.rounds = made.rounds;
   return solid;
 }
 
@@ -108,18 +128,22 @@ Solid thicken(const TriangleMesh& input, const Options& options, RunContext cont
   if (options.side == Side::kPositive) reverse(oriented);
   const ClosestPointTree tree(oriented);
   watch.lap("tree");
-  const Side side = options.side == Side::kBoth ? Side::kBoth : Side::kNegative;
-  SweepResult swept = sweep(oriented, tree, options.thickness, side, context, threads);
-  const std::vector<std::uint8_t> full = std::move(swept.full);
-  Solid solid = assemble(swept, checked.facts, options, threads);
-  watch.lap("sweep");
+  Solid solid;
+  if (options.method == Method::kReconstruct) {
+    solid = reconstructed(oriented, tree, checked.facts, options, context, threads, watch);
+  } else {
+    const Side side = options.side == Side::kBoth ? Side::kBoth : Side::kNegative;
+    SweepResult swept = sweep(oriented, tree, options.thickness, side, context, threads);
+    solid = assemble(swept, checked.facts, options, threads);
+    watch.lap("sweep");
+  }
 
   context.enter(Stage::kAuditing, kSwept, kAudited);
   proveOrThrow(solid, surface, options.side, context, threads);
   watch.lap("audit");
 
   context.enter(Stage::kMeasuring, kAudited, 1);
-  measure(solid, oriented, tree, full, context, threads);
+  measure(solid, oriented, tree, context, threads);
   requireTolerance(solid, options);
   watch.lap("measure");
   addWarnings(solid.report);

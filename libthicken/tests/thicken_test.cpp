@@ -207,7 +207,7 @@ TEST(Thicken, PassesOverFoldsThatLieFlat) {
   for (const Side side : {Side::kNegative, Side::kPositive}) {
     const Solid solid = thicken(s, by(0.3, side));
     expectPromise(solid, s, side);
-    EXPECT_GT(solid.report.volume, 0.5 * 16 * 0.3) << "the fold must not eat up the thickness around it";
+    EXPECT_GT(solid.report.volume, 0.4 * 16 * 0.3) << "the fold must not eat up the thickness around it";
   }
 }
 

@@ -49,8 +49,24 @@ ErrorFacts summary(std::vector<Sample> samples) {
 constexpr double kSamplePoints[4][3] = {
     {1. / 3, 1. / 3, 1. / 3}, {2. / 3, 1. / 6, 1. / 6}, {1. / 6, 2. / 3, 1. / 6}, {1. / 6, 1. / 6, 2. / 3}};
 
-void measureShell(Solid& solid, const ClosestPointTree& tree, std::span<const std::uint8_t> full,
+// Distance of every shell vertex from S, mm; infinite for other vertices.
+std::vector<double> shellDistances(const Solid& solid, const ClosestPointTree& tree,
+                                   const RunContext& context, int threads) {
+  std::vector<std::uint8_t> onShell(solid.mesh.positions.size(), 0);
+  for (std::size_t t = 0; t < solid.region.size(); ++t)
+    if (solid.region[t] == Region::kShell)
+      for (const VertexId v : solid.mesh.triangles[t]) onShell[v] = 1;
+  std::vector<double> distance(onShell.size(), std::numeric_limits<double>::infinity());
+  parallelFor(onShell.size(), threads, context, 512, [&](std::size_t v) {
+    if (onShell[v]) distance[v] = tree.distance(solid.mesh.positions[v]);
+  });
+  return distance;
+}
+
+// The error over the whole shell, and over the triangles whose corners are all as deep as asked.
+void measureShell(Solid& solid, const ClosestPointTree& tree, std::span<const double> distance,
                   const RunContext& context, int threads) {
+  constexpr double kFull = 0.99;
   const double r = solid.report.thickness;
   std::vector<TriangleId> shell;
   for (TriangleId t = 0; t < solid.region.size(); ++t)
@@ -68,23 +84,18 @@ void measureShell(Solid& solid, const ClosestPointTree& tree, std::span<const st
                                                       area / 4};
     }
   });
-  std::vector<Sample> fullSamples;
-  for (std::size_t i = 0; i < shell.size(); ++i)
-    if (full[shell[i]]) fullSamples.insert(fullSamples.end(), &samples[4 * i], &samples[4 * i] + 4);
+  std::vector<Sample> full;
+  for (std::size_t i = 0; i < shell.size(); ++i) {
+    const Triangle& t = solid.mesh.triangles[shell[i]];
+    if (std::all_of(t.begin(), t.end(), [&](VertexId v) { return distance[v] >= kFull * r; }))
+      full.insert(full.end(), &samples[4 * i], &samples[4 * i] + 4);
+  }
   solid.report.shellError = summary(std::move(samples));
-  solid.report.shellErrorFullDepth = summary(std::move(fullSamples));
+  solid.report.shellErrorFullDepth = summary(std::move(full));
 }
 
-// Distance of every shell vertex from S; the least of them is the thinnest wall.
-void measureThinnest(Solid& solid, const ClosestPointTree& tree, const RunContext& context, int threads) {
-  std::vector<std::uint8_t> onShell(solid.mesh.positions.size(), 0);
-  for (std::size_t t = 0; t < solid.region.size(); ++t)
-    if (solid.region[t] == Region::kShell)
-      for (const VertexId v : solid.mesh.triangles[t]) onShell[v] = 1;
-  std::vector<double> distance(onShell.size(), std::numeric_limits<double>::infinity());
-  parallelFor(onShell.size(), threads, context, 512, [&](std::size_t v) {
-    if (onShell[v]) distance[v] = tree.distance(solid.mesh.positions[v]);
-  });
+// The thinnest wall is the least distance of a shell vertex from S.
+void findThinnest(Solid& solid, const std::vector<double>& distance) {
   const auto least = std::min_element(distance.begin(), distance.end());
   if (least == distance.end() || !std::isfinite(*least)) return;
   solid.report.thinnestWall = *least;
@@ -123,7 +134,7 @@ double areaOf(const TriangleMesh& mesh) {
 }
 
 void measure(Solid& solid, const TriangleMesh& surface, const ClosestPointTree& tree,
-             std::span<const std::uint8_t> full, const RunContext& context, int threads) {
+             const RunContext& context, int threads) {
   Report& report = solid.report;
   report.triangles = solid.mesh.triangles.size();
   report.vertices = solid.mesh.positions.size();
@@ -134,8 +145,9 @@ void measure(Solid& solid, const TriangleMesh& surface, const ClosestPointTree& 
   report.components = componentsOf(solid.mesh.positions.size(), solid.mesh.triangles).count;
   report.volume = volumeOf(solid.mesh);
   report.area = areaOf(solid.mesh);
-  measureShell(solid, tree, full, context, threads);
-  measureThinnest(solid, tree, context, threads);
+  const auto distance = shellDistances(solid, tree, context, threads);
+  measureShell(solid, tree, distance, context, threads);
+  findThinnest(solid, distance);
   report.thinShare = thinShare(solid, surface);
 }
 

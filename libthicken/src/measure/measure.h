@@ -4,9 +4,6 @@
 // and how thin the solid gets.
 #pragma once
 
-#include <cstdint>
-#include <span>
-
 #include "thicken/closest_point.h"
 #include "thicken/result.h"
 #include "thicken/run_context.h"
@@ -18,10 +15,10 @@ namespace thicken {
 /// Area (mm²).
 [[nodiscard]] double areaOf(const TriangleMesh& mesh);
 
-/// Fills the output part of `solid.report` and `solid.depth`. `full[t]` marks the shell triangles at
-/// their full depth. `surface` is S as it was thickened, `tree` its tree. Shell points whose closest
-/// point lies on the rim belong to the wall and do not count as shell error (paper §4.2, Remark 4).
+/// Fills the output part of `solid.report` from the mesh, its regions and its depths. `surface` is S as
+/// it was thickened, `tree` its tree. Shell points whose closest point lies on the rim belong to the
+/// wall and do not count as shell error (paper §4.2, Remark 4).
 void measure(Solid& solid, const TriangleMesh& surface, const ClosestPointTree& tree,
-             std::span<const std::uint8_t> full, const RunContext& context, int threads);
+             const RunContext& context, int threads);
 
 }  // namespace thicken

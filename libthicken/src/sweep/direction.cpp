@@ -7,8 +7,6 @@
 #include <cmath>
 #include <limits>
 
-#include "mesh/normals.h"
-
 namespace thicken {
 
 namespace {
@@ -18,7 +16,7 @@ constexpr double kSafeCosine = 0.35;
 // A mitre longer than this would leave the definition by more than it gains.
 constexpr double kLongestMitre = 1.5;
 // Pull towards the mean normal, against the noise of nearly flat fans.
-constexpr double kDamping = 0.05;
+constexpr double kDamping = 0.01;
 constexpr double kRimWeight = 0.5;
 
 double smallestCosine(const Vec3& m, std::span<const Vec3> normals) {
@@ -89,13 +87,13 @@ bool holdsOrigin(const std::array<Vec3, 4>& s) {
   return true;
 }
 
-// Least squares over Σ angle·(n·m − 1)² + the rim planes' Σ (c·m)², damped towards the mean normal.
+// Least squares over Σ area·(n·m − 1)² + the rim planes' Σ (c·m)², damped towards the mean normal.
 class EvenDirection {
  public:
-  void addFace(const Vec3& n, double angle) {
-    a_ += angle * n * n.transpose();
-    b_ += angle * n;
-    weight_ += angle;
+  void addFace(const Vec3& n, double area) {
+    a_ += area * n * n.transpose();
+    b_ += area * n;
+    weight_ += area;
   }
   void addRim(const Vec3& conormal) { rim_ += conormal * conormal.transpose(); }
   [[nodiscard]] Vec3 solve() const {
@@ -137,10 +135,12 @@ std::vector<SweepDirection> sweepDirections(const TriangleMesh& surface, std::sp
                                             const VertexTriangles& around, const Rim& rim) {
   const std::size_t n = surface.positions.size();
   std::vector<EvenDirection> even(n);
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-    for (int k = 0; k < 3; ++k)
-      even[surface.triangles[t][k]].addFace(faceNormal[t],
-                                            cornerAngle(surface.positions, surface.triangles[t], k));
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const auto& [a, b, c] = surface.triangles[t];
+    const Vec3 &p = surface.positions[a], &q = surface.positions[b], &r = surface.positions[c];
+    const double area = (q - p).cross(r - p).norm();
+    for (const VertexId v : surface.triangles[t]) even[v].addFace(faceNormal[t], area);
+  }
   for (const RimEdge& e : rim.edges) {
     const Vec3 along = (surface.positions[e.to] - surface.positions[e.from]).stableNormalized();
     const Vec3 conormal = along.cross(faceNormal[e.triangle]);

@@ -16,6 +16,7 @@
 #include "parallel_for.h"
 #include "sweep/direction.h"
 #include "sweep/initial_depth.h"
+#include "sweep/polish.h"
 #include "sweep/retreat.h"
 #include "sweep/shell_surgery.h"
 #include "sweep/split.h"
@@ -104,12 +105,6 @@ std::size_t settle(SweptMesh& mesh, const VertexTriangles& around, const RunCont
   }
 }
 
-bool isFull(const SweptMesh& mesh, TriangleId t) {
-  return mesh.region[t] == Region::kShell &&
-         std::all_of(mesh.triangles[t].begin(), mesh.triangles[t].end(),
-                     [&](VertexId v) { return mesh.isCopy(v) && mesh.copyOf(v).depth == 1; });
-}
-
 // Depth below each vertex of S: the distance of its copy from S, of two copies the lesser; without a
 // copy the distance to the shell.
 std::vector<double> depthsOf(const SweptMesh& mesh, const ClosestPointTree& tree, const RunContext& context,
@@ -156,7 +151,6 @@ SweepResult finish(const SweptMesh& mesh, const ClosestPointTree& tree, Side sid
     const auto& [a, b, c] = mesh.triangles[t];
     result.mesh.triangles.push_back({to[a], to[b], to[c]});
     result.region.push_back(mesh.region[t]);
-    result.full.push_back(isFull(mesh, static_cast<TriangleId>(t)));
   }
   return result;
 }
@@ -176,6 +170,7 @@ SweepResult sweep(const TriangleMesh& surface, const ClosestPointTree& tree, dou
   dropOrThrow(mesh, around, unserved);
   setInitialDepths(mesh, tree, context, threads);
   for (std::size_t i = 0; i < mesh.copies.size(); ++i) mesh.place(i);
+  polish(mesh, tree, context, threads);
   const std::size_t rounds = settle(mesh, around, context, threads);
   return finish(mesh, tree, side, rounds, context, threads);
 }

@@ -18,7 +18,6 @@ namespace thicken {
 struct SweepResult {
   TriangleMesh mesh;               ///< S's vertices and triangles first (on kBoth: no triangles of S)
   std::vector<Region> region;      ///< per triangle
-  std::vector<std::uint8_t> full;  ///< per triangle: 1 for a shell triangle at its full depth
   std::vector<double> depth;       ///< mm per vertex of S: distance from its copy to S
   std::size_t droppedCopies = 0;
   std::size_t rounds = 0;

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sweep/polish.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "parallel_for.h"
+
+namespace thicken {
+
+namespace {
+
+constexpr int kRounds = 4;
+// Farthest that a copy is moved, as a share of r: the exact tests rely on the direction it had.
+constexpr double kReach = 0.1;
+// Copies of a lesser safety (SweepDirection) stay where they are.
+constexpr double kSafe = 0.35;
+// Share of the least-squares step that is taken: neighbours move as well.
+constexpr double kStep = 0.7;
+constexpr double kDamping = 0.02;
+// Points of the shell nearer than this share of r are cut off by another sheet or a fold, not by the
+// coarseness of the copy.
+constexpr double kCutOff = 0.9;
+
+constexpr double kSamplePoints[4][3] = {
+    {1. / 3, 1. / 3, 1. / 3}, {2. / 3, 1. / 6, 1. / 6}, {1. / 6, 2. / 3, 1. / 6}, {1. / 6, 1. / 6, 2. / 3}};
+
+struct Sample {
+  Vec3 away = Vec3::Zero();  // unit, from the closest point; zero for a sample that does not count
+  double excess = 0;         // distance − r, mm
+};
+
+// Whether the points of a triangle are so near their place that another look changes nothing.
+bool isSettled(std::span<const Sample> samples, double thickness) {
+  constexpr double kSettled = 3e-4;
+  return std::all_of(samples.begin(), samples.end(),
+                     [&](const Sample& s) { return std::abs(s.excess) < kSettled * thickness; });
+}
+
+// A quadric of one copy: where the points of the shell around it would be r away.
+struct Quadric {
+  Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
+  Vec3 b = Vec3::Zero();
+  void add(const Sample& s, double share, double area) {
+    a += area * share * share * s.away * s.away.transpose();
+    b -= area * share * s.excess * s.away;
+  }
+  [[nodiscard]] Vec3 step() const {
+    const double weight = a.trace();
+    if (!(weight > 0)) return Vec3::Zero();
+    return (a + kDamping * weight * Eigen::Matrix3d::Identity()).ldlt().solve(b);
+  }
+};
+
+bool isWhole(const SweptMesh& mesh, VertexId v) {
+  return mesh.isCopy(v) && mesh.copyOf(v).depth == 1;
+}
+
+std::vector<TriangleId> wholeTriangles(const SweptMesh& mesh) {
+  std::vector<TriangleId> ids;
+  for (auto t = static_cast<TriangleId>(mesh.surfaceTriangles); t < mesh.triangles.size(); ++t) {
+    const Triangle& s = mesh.triangles[t];
+    if (mesh.region[t] == Region::kShell &&
+        std::all_of(s.begin(), s.end(), [&](VertexId v) { return isWhole(mesh, v); }))
+      ids.push_back(t);
+  }
+  return ids;
+}
+
+}  // namespace
+
+void polish(SweptMesh& mesh, const ClosestPointTree& tree, const RunContext& context, int threads) {
+  const auto shell = wholeTriangles(mesh);
+  std::vector<Sample> samples(4 * shell.size());
+  std::vector<Vec3> start;
+  for (const Copy& c : mesh.copies) start.push_back(c.offset);
+  for (int round = 0; round < kRounds; ++round) {
+    parallelFor(shell.size(), threads, context, 256, [&](std::size_t i) {
+      const auto mine = std::span(samples).subspan(4 * i, 4);
+      if (round > 0 && isSettled(mine, mesh.thickness)) return;
+      const Triangle& t = mesh.triangles[shell[i]];
+      for (std::size_t k = 0; k < 4; ++k) {
+        const auto& w = kSamplePoints[k];
+        const Vec3 p =
+            w[0] * mesh.positions[t[0]] + w[1] * mesh.positions[t[1]] + w[2] * mesh.positions[t[2]];
+        const auto c = tree.closest(p);
+        const bool counts = !c->onRim && c->distance > kCutOff * mesh.thickness;
+        mine[k] = {counts ? Vec3((p - c->point) / c->distance) : Vec3(Vec3::Zero()),
+                   c->distance - mesh.thickness};
+      }
+    });
+    std::vector<Quadric> quadric(mesh.copies.size());
+    for (std::size_t i = 0; i < shell.size(); ++i) {
+      const Triangle& t = mesh.triangles[shell[i]];
+      const double area = (mesh.positions[t[1]] - mesh.positions[t[0]])
+                              .cross(mesh.positions[t[2]] - mesh.positions[t[0]])
+                              .norm();
+      for (std::size_t k = 0; k < 4; ++k)
+        for (int corner = 0; corner < 3; ++corner)
+          quadric[t[corner] - mesh.surfaceVertices].add(samples[4 * i + k], kSamplePoints[k][corner], area);
+    }
+    for (std::size_t i = 0; i < quadric.size(); ++i) {
+      Copy& c = mesh.copies[i];
+      if (c.depth != 1 || c.dropped || c.safety < kSafe) continue;
+      const Vec3 moved = c.offset + kStep * quadric[i].step() - start[i];
+      const double reach = kReach * mesh.thickness;
+      c.offset = start[i] + moved * std::min(1.0, reach / std::max(moved.norm(), reach * 1e-9));
+      c.length = c.offset.norm();
+      mesh.place(i);
+    }
+  }
+}
+
+}  // namespace thicken

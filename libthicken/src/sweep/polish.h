@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Moves the copies at full depth so that the shell between them, not only they, is r away from S: a
+// triangle of a coarse copy cuts the corner of a round offset or stands out of it, and the best place
+// of its corners shares the error.
+#pragma once
+
+#include "sweep/swept_mesh.h"
+#include "thicken/closest_point.h"
+#include "thicken/run_context.h"
+
+namespace thicken {
+
+/// Changes the offsets of copies of depth 1 by damped least squares over points of the shell: the sum
+/// of area·(distance − r)² goes down. The depths must be set; copies are placed anew.
+void polish(SweptMesh& mesh, const ClosestPointTree& tree, const RunContext& context, int threads);
+
+}  // namespace thicken
