@@ -46,8 +46,8 @@ void requireValid(const Options& options) {
     refuse(fmt::format("the rounds of smoothing must be from 0 to 100, not {}", *options.smooth));
   if (options.threads < 0)
     refuse(fmt::format("the number of threads must not be negative, and is {}", options.threads));
-  if (options.method == Method::kReconstruct)
-    refuse("the method reconstruct is not available in this version; use auto or sweep");
+  if (options.method == Method::kReconstruct && options.side == Side::kBoth)
+    refuse("the method reconstruct thickens to one side; use auto or sweep for both sides");
   if (options.repair) refuse("repair is not available in this version; mend the surface first");
 }
 
@@ -63,7 +63,7 @@ void requireRoom(const TriangleMesh& surface, const Options& options) {
             "coordinates as large as {:.6g} leave no room for a thickness of {:.6g} mm in single precision; "
             "scale the surface down or remove the vertices that lie far away",
             most, options.thickness));
-  constexpr double kLeastSteps = 64;
+  constexpr double kLeastSteps = 8;
   const double step = std::ldexp(most, -23);
   if (options.thickness < kLeastSteps * step)
     throw Error(

@@ -106,10 +106,10 @@ void closeFans(const TriangleMesh& swept, std::vector<std::uint8_t>& keep) {
   }
 }
 
-Carrier makeCarrier(const SweepResult& swept, std::size_t surfaceTriangles,
+Carrier makeCarrier(const SweepResult& swept, std::span<const Vec3> positions, std::size_t surfaceTriangles,
                     std::span<const std::uint8_t> keep, double longest) {
   Carrier carrier;
-  carrier.mesh.positions = swept.mesh.positions;
+  carrier.mesh.positions.assign(positions.begin(), positions.end());
   carrier.mesh.triangles = keptTriangles(swept.mesh, keep);
   for (std::size_t t = 0; t < keep.size(); ++t)
     if (keep[t]) carrier.region.push_back(swept.region[t]);

@@ -25,9 +25,10 @@ struct Carrier {
 /// has two fans.
 void closeFans(const TriangleMesh& swept, std::vector<std::uint8_t>& keep);
 
-/// The carrier of the kept triangles; rim edges longer than `longest` mm are divided evenly, those of
-/// the first `surfaceTriangles` triangles excepted.
-[[nodiscard]] Carrier makeCarrier(const SweepResult& swept, std::size_t surfaceTriangles,
-                                  std::span<const std::uint8_t> keep, double longest);
+/// The carrier of the kept triangles, the sweep's vertices at `positions`; rim edges longer than `longest` mm
+/// are divided evenly, those of the first `surfaceTriangles` triangles excepted.
+[[nodiscard]] Carrier makeCarrier(const SweepResult& swept, std::span<const Vec3> positions,
+                                  std::size_t surfaceTriangles, std::span<const std::uint8_t> keep,
+                                  double longest);
 
 }  // namespace thicken

@@ -14,6 +14,7 @@
 #include "parallel_for.h"
 #include "reconstruct/assembly.h"
 #include "reconstruct/carrier.h"
+#include "reconstruct/deep_walls.h"
 #include "reconstruct/settle.h"
 #include "reconstruct/shape.h"
 #include "sweep/sweep.h"
@@ -24,7 +25,9 @@ namespace thicken {
 namespace {
 
 constexpr int kDefaultRounds = 15;  // of shape optimisation; the paper takes 10 to 20
-constexpr int kMostRefinements = 24;
+constexpr int kMostRefinements = 14;
+// Reach of a refinement in cells, and its growth from one to the next, so that they end.
+constexpr double kFirstReach = 0.5, kReachGrowth = 1.3;
 constexpr double kMargin = 3;  // cells around the box grown by r
 
 struct Bounds {
@@ -59,7 +62,8 @@ class Attempt {
  public:
   Attempt(const TriangleMesh& surface, const ClosestPointTree& tree, const SweepResult& swept,
           const Options& options, double width, const RunContext& context, int threads)
-      : surface_(surface),
+      : walls_(surface, tree, swept, options.thickness, context, threads),
+        surface_(surface),
         tree_(tree),
         swept_(swept),
         options_(options),
@@ -69,7 +73,8 @@ class Attempt {
 
   // Returns the triangles of assembly() that meet.
   std::vector<TriangleId> run(std::span<const std::uint8_t> keep, Stopwatch& watch) {
-    const Carrier carrier = makeCarrier(swept_, surface_.triangles.size(), keep, width_);
+    walls_.fit(keep);
+    const Carrier carrier = makeCarrier(swept_, walls_.positions(), surface_.triangles.size(), keep, width_);
     const ClosestPointTree carrierTree(carrier.mesh);
     const Membership membership(carrierTree, tree_, surface_.triangles.size(), options_.thickness);
     for (int attempt = 0;; ++attempt) {
@@ -109,6 +114,7 @@ class Attempt {
     watch.lap("faces");
   }
 
+  DeepWalls walls_;
   const TriangleMesh& surface_;
   const ClosestPointTree& tree_;
   const SweepResult& swept_;
@@ -124,25 +130,23 @@ class Attempt {
 // Marks the sweep's shell near the triangles that meet, first near, then farther, until there is
 // something new. Returns whether there was.
 bool refine(const SweepResult& swept, const exact::BoxTree& shell, const Assembly& assembly,
-            std::span<const TriangleId> meeting, double width, std::vector<std::uint8_t>& keep) {
+            std::span<const TriangleId> meeting, double width, double first,
+            std::vector<std::uint8_t>& keep) {
+  constexpr double kFarthest = 64;
   bool any = false;
-  for (const TriangleId t : meeting) {
-    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
-    for (const VertexId v : assembly.mesh.triangles[t]) {
-      low = low.cwiseMin(assembly.mesh.positions[v]);
-      high = high.cwiseMax(assembly.mesh.positions[v]);
-    }
-    if (t < assembly.carrierTriangles) continue;
-    for (double reach = width; reach < 64 * width; reach *= 2) {
-      bool grown = false;
+  for (double reach = first; reach < kFarthest * width && !any; reach *= 2)
+    for (const TriangleId t : meeting) {
+      if (t < assembly.carrierTriangles) continue;
+      Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+      for (const VertexId v : assembly.mesh.triangles[t]) {
+        low = low.cwiseMin(assembly.mesh.positions[v]);
+        high = high.cwiseMax(assembly.mesh.positions[v]);
+      }
       for (const TriangleId s : shell.near(low - Vec3::Constant(reach), high + Vec3::Constant(reach))) {
-        grown |= keep[s] == 0;
+        any |= keep[s] == 0;
         keep[s] = 1;
       }
-      any |= grown;
-      if (grown) break;
     }
-  }
   if (any) closeFans(swept.mesh, keep);
   return any;
 }
@@ -210,7 +214,6 @@ Reconstruction finish(const Assembly& assembly, const TriangleMesh& surface, con
     }
     result.mesh.triangles.push_back(out);
     result.region.push_back(assembly.region[t]);
-    result.full.push_back(t >= assembly.carrierTriangles && assembly.region[t] == Region::kShell);
   }
   return result;
 }
@@ -260,7 +263,12 @@ Reconstruction reconstruct(const TriangleMesh& surface, const ClosestPointTree& 
       result.cell = width;
       return result;
     }
-    if (round == kMostRefinements || !refine(swept, shell, attempt.assembly(), meeting, width, keep))
+    // In the end the whole sweep, which leaves nothing to contour.
+    const double reach = width * kFirstReach * std::pow(kReachGrowth, static_cast<double>(round));
+    if (round == kMostRefinements)
+      std::fill(keep.begin(), keep.end(), std::uint8_t{1});
+    else if (round > kMostRefinements ||
+             !refine(swept, shell, attempt.assembly(), meeting, width, reach, keep))
       refuse(attempt.assembly(), meeting);
   }
 }

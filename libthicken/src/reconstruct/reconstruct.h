@@ -17,12 +17,11 @@ namespace thicken {
 class Stopwatch;
 
 struct Reconstruction {
-  TriangleMesh mesh;               ///< S's vertices and triangles first
-  std::vector<Region> region;      ///< per triangle
-  std::vector<std::uint8_t> full;  ///< per triangle: 1 for shell that the field gave
-  std::vector<double> depth;       ///< mm per vertex of S
-  std::size_t rounds = 0;          ///< of local refinement
-  double cell = 0;                 ///< width, mm
+  TriangleMesh mesh;           ///< S's vertices and triangles first
+  std::vector<Region> region;  ///< per triangle
+  std::vector<double> depth;   ///< mm per vertex of S
+  std::size_t rounds = 0;      ///< of local refinement
+  double cell = 0;             ///< width, mm
 };
 
 /// The width of the cells that `options` mean for `surface`, mm: as given, by the resolution, or

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "reconstruct/deep_walls.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "exact/box_tree.h"
+#include "exact/predicates.h"
+#include "mesh/float_lattice.h"
+#include "parallel_for.h"
+
+namespace thicken {
+
+namespace {
+
+// A copy this deep is deep enough.
+constexpr double kFull = 0.98;
+// Share of the distance that a longer way must bring.
+constexpr double kKeep = 0.9;
+constexpr double kStep = 1.12;
+// mm of way that neighbours may differ by, per mm of rim.
+constexpr double kSlope = 1.5;
+constexpr int kHalvings = 4;
+
+}  // namespace
+
+DeepWalls::DeepWalls(const TriangleMesh& surface, const ClosestPointTree& tree, const SweepResult& swept,
+                     double thickness, const RunContext& context, int threads)
+    : surface_(surface),
+      tree_(tree),
+      swept_(swept),
+      thickness_(thickness),
+      context_(context),
+      threads_(threads),
+      base_(swept.mesh.positions.size(), kNone),
+      way_(base_.size(), 0),
+      share_(base_.size(), 0),
+      at_(swept.mesh.positions) {
+  std::vector<VertexId> low;
+  for (std::size_t t = 0; t < swept.region.size(); ++t)
+    if (swept.region[t] == Region::kWall)
+      for (const VertexId v : swept.mesh.triangles[t])
+        if (v >= surface.positions.size() && base_[v] == kNone) {
+          base_[v] = baseOf(v);
+          low.push_back(v);
+        }
+  parallelFor(low.size(), threads, context, 64, [&](std::size_t i) {
+    way_[low[i]] = deepest(low[i], base_[low[i]]);
+    share_[low[i]] = 1;
+  });
+  limitSlope();
+  for (const VertexId v : low) place(v);
+}
+
+// Copies follow S's vertices in their order unless some were dropped; else the nearest vertex of S
+// that a wall triangle joins to the copy.
+VertexId DeepWalls::baseOf(VertexId low) const {
+  const auto count = static_cast<VertexId>(surface_.positions.size());
+  if (swept_.droppedCopies == 0 && low < 2 * count) return low - count;
+  double least = std::numeric_limits<double>::infinity();
+  VertexId best = kNone;
+  for (std::size_t t = 0; t < swept_.region.size(); ++t) {
+    const Triangle& w = swept_.mesh.triangles[t];
+    if (swept_.region[t] != Region::kWall || std::find(w.begin(), w.end(), low) == w.end()) continue;
+    for (const VertexId v : w) {
+      const double d = (swept_.mesh.positions[v] - swept_.mesh.positions[low]).norm();
+      if (v >= count || d >= least) continue;
+      least = d;
+      best = v;
+    }
+  }
+  return best;
+}
+
+// How far the copy of `base` may go on in its direction and still gain distance, up to r.
+double DeepWalls::deepest(VertexId low, VertexId base) const {
+  const Vec3& from = surface_.positions[base];
+  const Vec3 whole = swept_.mesh.positions[low] - from;
+  const double way = whole.norm();
+  const double gain = tree_.distance(swept_.mesh.positions[low]) / way;
+  if (!(way > 0) || gain * way >= kFull * thickness_ || gain < 0.2) return way;
+  const Vec3 direction = whole / way;
+  const double end = thickness_ / gain;
+  double good = way;
+  for (double next = std::min(end, way * kStep); next > good; next = std::min(end, next * kStep)) {
+    const Vec3 p = from + next * direction;
+    const auto c = tree_.closest(p);
+    const bool behind = c->onRim || (p - c->point).dot(c->pseudonormal) < 0;
+    if (!behind || c->distance < kKeep * gain * next) break;
+    good = next;
+  }
+  return good;
+}
+
+void DeepWalls::limitSlope() {
+  std::vector<std::array<VertexId, 2>> links;
+  for (std::size_t t = 0; t < swept_.region.size(); ++t)
+    if (swept_.region[t] == Region::kWall)
+      for (int k = 0; k < 3; ++k) {
+        const VertexId a = swept_.mesh.triangles[t][k], b = swept_.mesh.triangles[t][(k + 1) % 3];
+        if (base_[a] != kNone && base_[b] != kNone) links.push_back({a, b});
+      }
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (const auto& [a, b] : links) {
+      const double slack = kSlope * (surface_.positions[base_[a]] - surface_.positions[base_[b]]).norm();
+      for (const auto& [low, high] : {std::pair{a, b}, std::pair{b, a}}) {
+        const double least = (swept_.mesh.positions[high] - surface_.positions[base_[high]]).norm();
+        const double most = std::max(least, way_[low] + slack);
+        if (way_[high] <= most * (1 + 1e-9)) continue;
+        way_[high] = most;
+        changed = true;
+      }
+    }
+  }
+}
+
+void DeepWalls::place(VertexId v) {
+  const Vec3& from = surface_.positions[base_[v]];
+  const Vec3& there = swept_.mesh.positions[v];
+  const double way = (there - from).norm();
+  at_[v] = share_[v] == 0 || way_[v] <= way
+               ? there
+               : roundToFloat(there + share_[v] * (way_[v] - way) / way * (there - from));
+}
+
+void DeepWalls::fit(std::span<const std::uint8_t> keep) {
+  std::vector<Triangle> triangles;
+  std::vector<std::uint8_t> fixed;
+  for (std::size_t t = 0; t < keep.size(); ++t) {
+    if (!keep[t]) continue;
+    triangles.push_back(swept_.mesh.triangles[t]);
+    fixed.push_back(swept_.region[t] == Region::kOriginal);
+    if (swept_.region[t] != Region::kShell) continue;
+    for (const VertexId v : swept_.mesh.triangles[t])
+      if (base_[v] != kNone) {
+        share_[v] = 0;
+        place(v);
+      }
+  }
+  for (int round = 0; round <= kHalvings; ++round) {
+    const exact::BoxTree tree(at_, triangles, threads_);
+    std::vector<TriangleId> bad;
+    for (const auto& [a, b] : tree.meetingPairs(at_, triangles, fixed, context_, threads_)) {
+      bad.push_back(a);
+      bad.push_back(b);
+    }
+    for (TriangleId t = 0; t < triangles.size(); ++t)
+      if (!fixed[t] && exact::collinear(at_[triangles[t][0]], at_[triangles[t][1]], at_[triangles[t][2]]))
+        bad.push_back(t);
+    if (bad.empty()) return;
+    std::vector<VertexId> drawn;
+    for (const TriangleId t : bad)
+      for (const VertexId v : triangles[t])
+        if (base_[v] != kNone && share_[v] > 0) drawn.push_back(v);
+    std::sort(drawn.begin(), drawn.end());
+    drawn.erase(std::unique(drawn.begin(), drawn.end()), drawn.end());
+    for (const VertexId v : drawn) {
+      share_[v] = round + 1 >= kHalvings ? 0 : share_[v] / 2;
+      place(v);
+    }
+  }
+  // What still meets is left to the sweep, all of whose triangles are clear of each other.
+  for (VertexId v = 0; v < base_.size(); ++v)
+    if (base_[v] != kNone) {
+      share_[v] = 0;
+      place(v);
+    }
+}
+
+}  // namespace thicken

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Walls that reach deeper than the sweep's: a copy on the rim may be drawn back in the sweep only for
+// the sake of the shell beside it, which the contour replaces.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "reconstruct/carrier.h"
+#include "thicken/closest_point.h"
+
+namespace thicken {
+
+class DeepWalls {
+ public:
+  DeepWalls(const TriangleMesh& surface, const ClosestPointTree& tree, const SweepResult& swept,
+            double thickness, const RunContext& context, int threads);
+
+  /// Places the walls' lower vertices as deep as exact tests against S, each other and the kept pieces
+  /// of shell (whose own vertices stay where the sweep has them) allow. Never deeper than before.
+  void fit(std::span<const std::uint8_t> keep);
+
+  /// Of the sweep's vertices.
+  [[nodiscard]] const std::vector<Vec3>& positions() const { return at_; }
+
+ private:
+  [[nodiscard]] VertexId baseOf(VertexId low) const;
+  [[nodiscard]] double deepest(VertexId low, VertexId base) const;
+  void limitSlope();
+  void place(VertexId v);
+
+  const TriangleMesh& surface_;
+  const ClosestPointTree& tree_;
+  const SweepResult& swept_;
+  double thickness_;
+  const RunContext& context_;
+  int threads_;
+  std::vector<VertexId> base_;  ///< per vertex of the sweep; kNone: does not move
+  std::vector<double> way_;     ///< mm from the base, at full share
+  std::vector<double> share_;   ///< of the way beyond the sweep's
+  std::vector<Vec3> at_;
+};
+
+}  // namespace thicken
