@@ -20,6 +20,7 @@ from ThickenWorkbench import mesh_io, view_provider
 from thicken_surfaces import fin, saddle
 
 LOG = Path(os.environ["THICKEN_GUI_LOG"])
+MESSAGES = []  # the texts of message boxes
 
 
 def require(condition, what):
@@ -31,6 +32,14 @@ def wait(milliseconds=300):
     loop = QtCore.QEventLoop()
     QtCore.QTimer.singleShot(milliseconds, loop.quit)
     loop.exec_() if hasattr(loop, "exec_") else loop.exec()
+
+
+def close_message():
+    """Nobody is there to click: a box that stays open would wait for ever."""
+    box = QtGui.QApplication.activeModalWidget()
+    if box is not None:
+        MESSAGES.append(box.text() if hasattr(box, "text") else box.windowTitle())
+        box.close()
 
 
 def workbench_offers_the_command():
@@ -47,7 +56,7 @@ def command_thickens_the_selection(doc):
     require(Gui.Command.get("Thicken_Make").isActive(), "not active with a mesh selected")
     Gui.runCommand("Thicken_Make")
     feature = doc.getObject("Thicken")
-    require(feature is not None and feature.isValid() and feature.Valid, "no solid")
+    require(feature is not None and feature.isValid() and feature.Valid, f"no solid: {MESSAGES}")
     require(isinstance(feature.ViewObject.Proxy, view_provider.ThickenViewProvider), "no view provider")
     require(feature.ViewObject.Visibility and not source.ViewObject.Visibility, "wrong object shown")
     return source, feature
@@ -62,24 +71,15 @@ def undo_and_redo(doc, source):
 
 
 def refusal_is_told(doc):
-    """The message box has the feature's own sentence; it is closed by a timer."""
-    shown = []
-
-    def close():
-        box = QtGui.QApplication.activeModalWidget()
-        if box is not None:
-            shown.append(box.text())
-            box.close()
-
+    """The message box has the feature's own sentence."""
     bad = doc.addObject("Mesh::Feature", "Bad")
     bad.Mesh = mesh_io.mesh_from_arrays(*fin())
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(bad)
-    QtCore.QTimer.singleShot(1500, close)
     Gui.runCommand("Thicken_Make")
     refused = doc.getObject("Thicken001")
     require(refused is not None and not refused.isValid(), "a bad mesh was not refused")
-    require(len(shown) == 1 and refused.getStatusString() in shown[0], f"message: {shown}")
+    require(len(MESSAGES) == 1 and refused.getStatusString() in MESSAGES[0], f"messages: {MESSAGES}")
 
 
 def delete_shows_the_source(doc, source):
@@ -102,6 +102,9 @@ def leave_picture(feature):
 
 
 def main():
+    timer = QtCore.QTimer()
+    timer.timeout.connect(close_message)
+    timer.start(200)
     workbench_offers_the_command()
     doc = App.newDocument("Smoke")
     source, _ = command_thickens_the_selection(doc)
