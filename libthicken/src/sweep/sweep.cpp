@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -50,17 +51,47 @@ constexpr int kMostGrowths = 4;
   throw Error(ErrorCode::kNoSolid, sentence, {std::move(d)});
 }
 
-// Drops copies; where a hole cannot be filled, those around it as well.
-void dropOrThrow(SweptMesh& mesh, const VertexTriangles& around, std::vector<std::uint32_t> copies) {
-  if (copies.empty()) return;
-  ShellSurgery shell(mesh, around);
+// The copies in groups of neighbours, so that each hole is treated by itself.
+std::vector<std::vector<std::uint32_t>> groupsOf(const ShellSurgery& shell,
+                                                 const std::vector<std::uint32_t>& copies) {
+  std::vector<std::vector<std::uint32_t>> groups;
+  std::set<std::uint32_t> open(copies.begin(), copies.end());
+  while (!open.empty()) {
+    std::vector<std::uint32_t> group{*open.begin()};
+    open.erase(open.begin());
+    for (std::size_t k = 0; k < group.size(); ++k)
+      for (const std::uint32_t i : shell.neighboursOf(group[k]))
+        if (open.erase(i) > 0) group.push_back(i);
+    sortUnique(group);
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+// Drops one group of copies. Where its hole cannot be filled, one more copy around it may do; else all
+// around it are dropped as well, and so on.
+void dropGroup(const SweptMesh& mesh, ShellSurgery& shell, std::vector<std::uint32_t> copies) {
   for (int growths = 0;; ++growths) {
-    const auto unfilled = shell.drop(copies);
-    if (unfilled.empty()) return;
+    const auto around = shell.drop(copies);
+    if (around.empty()) return;
     const std::size_t before = copies.size();
-    copies.insert(copies.end(), unfilled.begin(), unfilled.end());
+    for (const std::uint32_t i : around) {
+      auto more = copies;
+      more.push_back(i);
+      if (shell.drop(more).empty()) return;
+    }
+    copies.insert(copies.end(), around.begin(), around.end());
     sortUnique(copies);
     if (growths == kMostGrowths || copies.size() == before) throwNoSolid(mesh, copies);
+  }
+}
+
+void dropOrThrow(SweptMesh& mesh, const VertexTriangles& around, const std::vector<std::uint32_t>& copies) {
+  if (copies.empty()) return;
+  ShellSurgery shell(mesh, around);
+  for (auto& group : groupsOf(shell, copies)) {
+    std::erase_if(group, [&](std::uint32_t i) { return mesh.copies[i].dropped; });  // by another's growth
+    if (!group.empty()) dropGroup(mesh, shell, std::move(group));
   }
 }
 
