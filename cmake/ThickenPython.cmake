@@ -9,3 +9,6 @@ endif()
 set(PYBIND11_FINDPYTHON ON)
 find_package(Python 3.10 REQUIRED COMPONENTS Interpreter Development.Module)
 find_package(pybind11 2.10 REQUIRED CONFIG)
+# Said outright, so that pybind11 does not add link-time optimisation of its own: the time is spent in
+# the library, which is compiled without it.
+set(CMAKE_INTERPROCEDURAL_OPTIMIZATION OFF)
