@@ -25,9 +25,9 @@ namespace thicken {
 namespace {
 
 constexpr int kDefaultRounds = 15;  // of shape optimisation; the paper takes 10 to 20
-constexpr int kMostRefinements = 14;
+constexpr int kMostRefinements = 9;
 // Reach of a refinement in cells, and its growth from one to the next, so that they end.
-constexpr double kFirstReach = 0.5, kReachGrowth = 1.3;
+constexpr double kFirstReach = 0.75, kReachGrowth = 1.6;
 constexpr double kMargin = 3;  // cells around the box grown by r
 
 struct Bounds {
@@ -218,6 +218,29 @@ Reconstruction finish(const Assembly& assembly, const TriangleMesh& surface, con
   return result;
 }
 
+// Refuses what would not fit before any of it is taken, with the width that would.
+void requireMemory(const TriangleMesh& surface, double r, double width, const RunContext& context) {
+  const std::size_t bytes = fieldBytes(surface, width), limit = context.memoryLimit();
+  if (limit == 0) return;
+  const double fits = width * std::sqrt(double(bytes) / double(limit)) * 1.01;
+  context.reserve(
+      bytes, fits < r / 2 ? fmt::format("a cell width of {:.4g} mm would fit", fits)
+                          : std::string("no cell width below half the thickness would fit; thicken a part of "
+                                        "the surface at a time, or ask for a larger thickness"));
+}
+
+void requireCells(const TriangleMesh& surface, double r, double width) {
+  const Bounds b = boundsOf(surface);
+  const double longest = (b.high - b.low).maxCoeff() + 2 * r + 2 * (kMargin + 1) * width;
+  if (longest / width < UniformGrid::kMostCells) return;
+  throw Error(
+      ErrorCode::kNoSolid,
+      fmt::format("cells of {:.4g} mm would be more than {} in a row, and the thickness of {:.4g} mm asks "
+                  "for cells below its half (Remark 1 of the paper); use the method sweep, or ask for a "
+                  "larger thickness",
+                  width, UniformGrid::kMostCells, r));
+}
+
 }  // namespace
 
 double cellWidth(const TriangleMesh& surface, const Options& options) {
@@ -241,9 +264,20 @@ double cellWidth(const TriangleMesh& surface, const Options& options) {
   return std::clamp(byArea, r / 4, r / 2.2);
 }
 
+std::size_t fieldBytes(const TriangleMesh& surface, double width) {
+  // Measured: what a crossing costs in all its forms, with a margin; and crossings per w² of shell,
+  // the mean of |n_x| + |n_y| + |n_z| with another for what the shell is larger than S.
+  constexpr double kPerCrossing = 1500;
+  constexpr double kCrossings = 1.5 * 1.25;
+  return static_cast<std::size_t>(
+      std::min(1e18, kPerCrossing * kCrossings * areaOf(surface) / (width * width)));
+}
+
 Reconstruction reconstruct(const TriangleMesh& surface, const ClosestPointTree& tree, const Options& options,
                            const RunContext& context, int threads, Stopwatch& watch) {
   const double width = cellWidth(surface, options);
+  requireCells(surface, options.thickness, width);
+  requireMemory(surface, options.thickness, width, context);
   SweepResult swept = sweep(surface, tree, options.thickness, Side::kNegative, context, threads);
   watch.lap("sweep");
   std::vector<std::uint8_t> keep(swept.mesh.triangles.size(), 0), isShell(keep.size(), 0);

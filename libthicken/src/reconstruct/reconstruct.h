@@ -28,6 +28,9 @@ struct Reconstruction {
 /// chosen. Throws kInvalidArgument where a resolution gives cells of r/2 or more (Remark 1).
 [[nodiscard]] double cellWidth(const TriangleMesh& surface, const Options& options);
 
+/// Bytes that the field and its contour take at their peak, beyond what the sweep takes.
+[[nodiscard]] std::size_t fieldBytes(const TriangleMesh& surface, double width);
+
 /// Reconstructs on the negative side of `surface` (valid, welded; `tree` is its tree). Throws kNoSolid
 /// with the place, kMemoryLimit, kCancelled. Stages are added to `watch`.
 [[nodiscard]] Reconstruction reconstruct(const TriangleMesh& surface, const ClosestPointTree& tree,

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "reconstruct/reconstruct.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "plain_shapes.h"
+#include "thicken/error.h"
+#include "thicken/thicken.h"
+
+namespace thicken {
+namespace {
+
+Options by(double thickness, double cell, int threads = 1) {
+  Options o;
+  o.method = Method::kReconstruct;
+  o.thickness = thickness;
+  o.cell = cell;
+  o.threads = threads;
+  return o;
+}
+
+TriangleMesh flat(VertexId columns, VertexId rows) {
+  TriangleMesh mesh = shapes::sheet(columns, rows);
+  for (Vec3& p : mesh.positions) p.z() = 0;
+  return mesh;
+}
+
+// thicken() throws unless its exact audit has passed, so that a return is a proof.
+TEST(Reconstruct, MakesAPlateOfExactVolume) {
+  const TriangleMesh plate = flat(10, 6);
+  const Solid solid = thicken(plate, by(1, 0.3));
+  EXPECT_TRUE(solid.report.audit.passed());
+  EXPECT_NEAR(solid.report.volume, 60, 0.01);
+  EXPECT_EQ(solid.report.method, Method::kReconstruct);
+  EXPECT_LT(solid.report.shellError.p99, 1e-3);
+  EXPECT_GT(solid.report.shellTriangles, 100u);
+}
+
+TEST(Reconstruct, ThickensABumpySheetOnEitherSide) {
+  const TriangleMesh sheet = shapes::sheet(14, 11);
+  for (const Side side : {Side::kNegative, Side::kPositive}) {
+    Options o = by(0.9, 0.25);
+    o.side = side;
+    const Solid solid = thicken(sheet, o);
+    EXPECT_TRUE(solid.report.audit.surfaceKept);
+    EXPECT_LT(solid.report.shellError.mean, 0.01);
+  }
+}
+
+TEST(Reconstruct, HollowsAClosedSurface) {
+  const Solid solid = thicken(shapes::box({0, 0, 0}, {8, 6, 5}), by(1, 0.3));
+  EXPECT_EQ(solid.report.components, 2u);
+  EXPECT_NEAR(solid.report.volume, 8 * 6 * 5 - 6 * 4 * 3, 0.5);
+}
+
+TEST(Reconstruct, GivesTheSameBytesForAnyThreads) {
+  const TriangleMesh sheet = shapes::sheet(12, 9);
+  const Solid one = thicken(sheet, by(0.9, 0.25, 1)), three = thicken(sheet, by(0.9, 0.25, 3));
+  EXPECT_EQ(one.mesh.triangles, three.mesh.triangles);
+  EXPECT_EQ(one.mesh.positions, three.mesh.positions);
+}
+
+TEST(Reconstruct, NamesTheWidthThatFitsTheMemory) {
+  RunContext context;
+  context.setMemoryLimit(std::size_t{64} << 20);
+  try {
+    (void)thicken(flat(10, 6), by(1, 0.01), context);
+    FAIL() << "the limit was not obeyed";
+  } catch (const Error& e) {
+    EXPECT_EQ(e.code(), ErrorCode::kMemoryLimit);
+    EXPECT_NE(std::string(e.what()).find("a cell width of"), std::string::npos) << e.what();
+  }
+}
+
+TEST(Reconstruct, RefusesCellsOfHalfTheThickness) {
+  Options o;
+  o.method = Method::kReconstruct;
+  o.thickness = 0.1;
+  o.resolution = 32;
+  try {
+    (void)thicken(flat(10, 6), o);
+    FAIL() << "Remark 1 was not kept";
+  } catch (const Error& e) {
+    EXPECT_EQ(e.code(), ErrorCode::kInvalidArgument);
+  }
+}
+
+TEST(CellWidth, FollowsTheResolution) {
+  Options o;
+  o.thickness = 1;
+  o.resolution = 60;
+  EXPECT_DOUBLE_EQ(cellWidth(flat(10, 6), o), 12.0 / 60);
+}
+
+}  // namespace
+}  // namespace thicken
