@@ -25,9 +25,9 @@ namespace thicken {
 namespace {
 
 constexpr int kDefaultRounds = 15;  // of shape optimisation; the paper takes 10 to 20
-constexpr int kMostRefinements = 9;
+constexpr int kMostRefinements = 12;
 // Reach of a refinement in cells, and its growth from one to the next, so that they end.
-constexpr double kFirstReach = 0.75, kReachGrowth = 1.6;
+constexpr double kFirstReach = 0.5, kReachGrowth = 1.25;
 constexpr double kMargin = 3;  // cells around the box grown by r
 
 struct Bounds {
@@ -55,6 +55,37 @@ UniformGrid gridFor(const TriangleMesh& surface, double thickness, double width,
     cells[k] = static_cast<int>((b.high[k] + thickness + kMargin * width - origin[k]) / width) + 1;
   }
   return {origin, width, cells};
+}
+
+// Removes closed pieces of the contour that are but a few cells large: islands and cavities where
+// the field is finer than the grid. Every part of the solid hangs together with S.
+void dropSpecks(Assembly& assembly, double width) {
+  constexpr double kSpeck = 8;  // cells
+  const Components parts = componentsOf(assembly.mesh.positions.size(), assembly.mesh.triangles);
+  std::vector<std::uint8_t> hangs(parts.count, 0);
+  const double inf = std::numeric_limits<double>::infinity();
+  std::vector<Bounds> bounds(parts.count, {Vec3::Constant(inf), Vec3::Constant(-inf)});
+  for (std::size_t t = 0; t < parts.ofTriangle.size(); ++t) {
+    if (t < assembly.carrierTriangles) hangs[parts.ofTriangle[t]] = 1;
+    Bounds& b = bounds[parts.ofTriangle[t]];
+    for (const VertexId v : assembly.mesh.triangles[t]) {
+      b.low = b.low.cwiseMin(assembly.mesh.positions[v]);
+      b.high = b.high.cwiseMax(assembly.mesh.positions[v]);
+    }
+  }
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < parts.ofTriangle.size(); ++t) {
+    const std::uint32_t part = parts.ofTriangle[t];
+    if (!hangs[part] && (bounds[part].high - bounds[part].low).norm() < kSpeck * width) continue;
+    assembly.mesh.triangles[kept] = assembly.mesh.triangles[t];
+    assembly.region[kept] = assembly.region[t];
+    if (t >= assembly.carrierTriangles)
+      assembly.crossing[kept - assembly.carrierTriangles] = assembly.crossing[t - assembly.carrierTriangles];
+    ++kept;
+  }
+  assembly.mesh.triangles.resize(kept);
+  assembly.region.resize(kept);
+  assembly.crossing.resize(kept - assembly.carrierTriangles);
 }
 
 // Everything that one attempt makes; refinement changes `keep` and makes it anew.
@@ -111,6 +142,7 @@ class Attempt {
     placeCrossings(crossings_, grid, membership, context_, threads_);
     dual_ = dualSurface(crossings_, ways, grid, carrier.mesh.positions);
     assembly_ = assemble(carrier, dual_, crossings_, ways);
+    dropSpecks(assembly_, width_);
     watch.lap("faces");
   }
 
