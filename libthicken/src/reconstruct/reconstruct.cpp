@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "check/nesting.h"
 #include "contour/dual_surface.h"
 #include "exact/box_tree.h"
 #include "measure/measure.h"
 #include "measure/stopwatch.h"
+#include "mesh/half_edges.h"
 #include "mesh/normals.h"
 #include "parallel_for.h"
 #include "reconstruct/assembly.h"
@@ -88,6 +90,33 @@ void dropSpecks(Assembly& assembly, double width) {
   assembly.crossing.resize(kept - assembly.carrierTriangles);
 }
 
+// Removes closed pieces of a contour without meetings that turned inside out when they were shaped, or
+// that float in nothing: exact, by where their lowest vertex lies.
+void dropMisplaced(Assembly& assembly, int threads) {
+  const TriangleMesh& mesh = assembly.mesh;
+  const Components parts = componentsOf(mesh.positions.size(), mesh.triangles);
+  std::vector<std::uint8_t> hangs(parts.count, 0), drop(parts.count, 0);
+  for (std::size_t t = 0; t < assembly.carrierTriangles; ++t)
+    if (assembly.region[t] == Region::kOriginal) hangs[parts.ofTriangle[t]] = 1;
+  if (std::find(hangs.begin(), hangs.end(), 0) == hangs.end()) return;
+  const HalfEdges edges(mesh.positions.size(), mesh.triangles);
+  const exact::BoxTree tree(mesh.positions, mesh.triangles, threads);
+  const std::vector<VertexId> lowest = lowestVertices(mesh, parts);
+  for (std::uint32_t part = 0; part < parts.count; ++part)
+    drop[part] = !hangs[part] && facesOutward(mesh, edges, lowest[part]) ==
+                                     insideOddNumber(mesh, tree, parts, lowest[part], part);
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < parts.ofTriangle.size(); ++t) {
+    if (drop[parts.ofTriangle[t]]) continue;
+    assembly.mesh.triangles[kept] = assembly.mesh.triangles[t];
+    assembly.region[kept] = assembly.region[t];
+    ++kept;
+  }
+  assembly.mesh.triangles.resize(kept);
+  assembly.region.resize(kept);
+  assembly.crossing.clear();  // nothing is moved any more
+}
+
 // Everything that one attempt makes; refinement changes `keep` and makes it anew.
 class Attempt {
  public:
@@ -122,6 +151,7 @@ class Attempt {
     const std::vector<Vec3> target =
         shapedPositions(assembly_, dual_, crossings_, membership, width_, rounds, context_, threads_);
     std::vector<TriangleId> meeting = settle(assembly_, target, context_, threads_);
+    if (meeting.empty()) dropMisplaced(assembly_, threads_);
     watch.lap("shape");
     return meeting;
   }
