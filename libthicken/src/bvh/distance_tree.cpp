@@ -175,20 +175,17 @@ DistanceTree::DistanceTree(std::span<const Vec3> positions, std::span<const Tria
   // A query as far as twice the extent away is rounded by less than this.
   builder.slack = (whole.high - whole.low).maxCoeff() * 4e-7;
   builder.build({0, static_cast<std::uint32_t>(triangles.size()), whole});
-  corners_.reserve(order_.size());
-  ids_.reserve(order_.size());
+  prepared_.reserve(order_.size());
   placeOf_.resize(order_.size());
   for (std::uint32_t i = 0; i < order_.size(); ++i) {
     const Triangle& t = triangles[order_[i]];
-    corners_.push_back({positions[t[0]], positions[t[1]], positions[t[2]]});
-    ids_.push_back(t);
+    prepared_.emplace_back(std::array{positions[t[0]], positions[t[1]], positions[t[2]]}, t);
     placeOf_[order_[i]] = i;
   }
 }
 
 TriangleClosest DistanceTree::measure(const Vec3& p, TriangleId t) const {
-  const std::uint32_t i = placeOf_[t];
-  return closestOnTriangle(p, corners_[i], ids_[i]);
+  return closestOnTriangle(p, prepared_[placeOf_[t]], std::numeric_limits<double>::infinity());
 }
 
 bool DistanceTree::nearest(const Vec3& p, Hit& hit) const {
@@ -211,7 +208,7 @@ bool DistanceTree::nearest(const Vec3& p, Hit& hit) const {
     if (e.child < 0) {
       const auto first = static_cast<std::uint32_t>(-1 - e.child);
       for (std::uint32_t i = first; i < first + static_cast<std::uint32_t>(e.count); ++i) {
-        const TriangleClosest c = closestOnTriangle(p, corners_[i], ids_[i]);
+        const TriangleClosest c = closestOnTriangle(p, prepared_[i], hit.closest.squaredDistance);
         if (c.squaredDistance < hit.closest.squaredDistance ||
             (c.squaredDistance == hit.closest.squaredDistance && order_[i] < hit.triangle)) {
           hit = {c, order_[i]};

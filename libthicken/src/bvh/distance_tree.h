@@ -44,10 +44,9 @@ class DistanceTree {
   struct Builder;
 
   std::vector<Node> nodes_;
-  std::vector<TriangleId> order_;             ///< triangles, leaf by leaf
-  std::vector<std::array<Vec3, 3>> corners_;  ///< in the order of order_
-  std::vector<Triangle> ids_;                 ///< in the order of order_
-  std::vector<std::uint32_t> placeOf_;        ///< triangle → its place in order_
+  std::vector<TriangleId> order_;           ///< triangles, leaf by leaf
+  std::vector<PreparedTriangle> prepared_;  ///< in the order of order_
+  std::vector<std::uint32_t> placeOf_;      ///< triangle → its place in order_
   Vec3 centre_ = Vec3::Zero();
 };
 

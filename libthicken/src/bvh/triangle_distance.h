@@ -7,6 +7,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 
 #include "thicken/closest_point.h"
 #include "thicken/mesh.h"
@@ -20,8 +22,23 @@ struct TriangleClosest {
   std::uint8_t corner;  ///< of the vertex, or the first corner of the edge
 };
 
-/// Closest point to `p` on the segment from `a` to `b`. Rounds the same for either order of the
-/// caller's ends as long as the caller orders them the same; `end` is 0 or 1 at an end, else 2.
+/// A triangle with what does not depend on the query.
+struct PreparedTriangle {
+  std::array<Vec3, 3> corner;
+  Vec3 normal;               ///< unit; zero for a needle, whose normal would be rounding only
+  std::array<Vec3, 3> side;  ///< normal × edge: points into the triangle
+  Triangle ids;
+
+  PreparedTriangle(const std::array<Vec3, 3>& c, const Triangle& t) : corner(c), ids(t) {
+    const Vec3 u = c[1] - c[0], v = c[2] - c[0], n = u.cross(v);
+    constexpr double kNeedle = 1e-20;  // its edges are as near as its face to the last digit
+    const bool needle = n.squaredNorm() <= kNeedle * u.squaredNorm() * v.squaredNorm();
+    normal = needle ? Vec3(Vec3::Zero()) : Vec3(n.stableNormalized());
+    for (int k = 0; k < 3; ++k) side[k] = normal.cross(c[(k + 1) % 3] - c[k]);
+  }
+};
+
+/// Closest point to `p` on the segment from `a` to `b`; `end` is 0 or 1 at an end, else 2.
 inline Vec3 closestOnSegment(const Vec3& p, const Vec3& a, const Vec3& b, int& end) {
   const Vec3 ab = b - a;
   const double along = (p - a).dot(ab);
@@ -38,33 +55,28 @@ inline Vec3 closestOnSegment(const Vec3& p, const Vec3& a, const Vec3& b, int& e
   return a + (along / length2) * ab;
 }
 
-/// Closest point to `p` on triangle `ids` with the given corners. Edges are evaluated from their
-/// lower to their higher vertex id, so that neighbours agree to the last bit on a shared edge.
-inline TriangleClosest closestOnTriangle(const Vec3& p, const std::array<Vec3, 3>& corner,
-                                         const Triangle& ids) {
-  const Vec3 n = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
-  // The normal of a needle is rounding only; its edges are as near as its face to the last digit.
-  const double n2 = n.squaredNorm();
-  const double u2 = (corner[1] - corner[0]).squaredNorm(), v2 = (corner[2] - corner[0]).squaredNorm();
-  constexpr double kNeedle = 1e-20;
-  const bool needle = n2 <= kNeedle * u2 * v2;
+/// Closest point to `p` on a triangle; when that is farther than the square root of `within` the
+/// answer may be of infinite distance. Edges are evaluated from their lower to their higher vertex id,
+/// so that neighbours agree to the last bit on a shared edge.
+inline TriangleClosest closestOnTriangle(const Vec3& p, const PreparedTriangle& t, double within) {
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  TriangleClosest best{Vec3::Zero(), kInfinite, Feature::kEdge, 0};
+  // The plane is no farther than the triangle; the factor covers the rounding of the height.
+  constexpr double kShrink = 1 - 1e-9;
+  const double height = t.normal.dot(p - t.corner[0]);
+  if (height * height * kShrink > within) return best;
   bool beyond[3];
-  for (int k = 0; k < 3; ++k) {
-    const Vec3 edge = corner[(k + 1) % 3] - corner[k];
-    beyond[k] = needle || n.cross(edge).dot(p - corner[k]) <= 0;
-  }
+  for (int k = 0; k < 3; ++k) beyond[k] = t.side[k].dot(p - t.corner[k]) <= 0;
   if (!beyond[0] && !beyond[1] && !beyond[2]) {
-    const double height = (p - corner[0]).dot(n) / n2;
-    const Vec3 c = p - height * n;
+    const Vec3 c = p - height * t.normal;
     return {c, (p - c).squaredNorm(), Feature::kFace, 0};
   }
-  TriangleClosest best{Vec3::Zero(), std::numeric_limits<double>::infinity(), Feature::kEdge, 0};
   for (int k = 0; k < 3; ++k) {
     if (!beyond[k]) continue;
     int from = k, to = (k + 1) % 3;
-    if (ids[from] > ids[to]) std::swap(from, to);
+    if (t.ids[from] > t.ids[to]) std::swap(from, to);
     int end = 0;
-    const Vec3 c = closestOnSegment(p, corner[from], corner[to], end);
+    const Vec3 c = closestOnSegment(p, t.corner[from], t.corner[to], end);
     const double d2 = (p - c).squaredNorm();
     if (d2 >= best.squaredDistance) continue;
     best.point = c;

@@ -44,8 +44,8 @@ ErrorFacts summary(std::vector<Sample> samples) {
   return facts;
 }
 
-// Four points a triangle, each for a quarter of its area: the middle and the middles of the three
-// corner pieces.
+// Four points a triangle: the middle and the middles of the three corner pieces; of a large shell only
+// the middle.
 constexpr double kSamplePoints[4][3] = {
     {1. / 3, 1. / 3, 1. / 3}, {2. / 3, 1. / 6, 1. / 6}, {1. / 6, 2. / 3, 1. / 6}, {1. / 6, 1. / 6, 2. / 3}};
 
@@ -71,24 +71,24 @@ void measureShell(Solid& solid, const ClosestPointTree& tree, std::span<const do
   std::vector<TriangleId> shell;
   for (TriangleId t = 0; t < solid.region.size(); ++t)
     if (solid.region[t] == Region::kShell) shell.push_back(t);
-  std::vector<Sample> samples(4 * shell.size());
+  const std::size_t each = shell.size() > 50000 ? 1 : 4;
+  std::vector<Sample> samples(each * shell.size());
   parallelFor(shell.size(), threads, context, 512, [&](std::size_t i) {
     const Triangle& t = solid.mesh.triangles[shell[i]];
     const double area = areaOf(solid.mesh.positions, t);
-    for (int k = 0; k < 4; ++k) {
+    for (std::size_t k = 0; k < each; ++k) {
       const auto& w = kSamplePoints[k];
       const Vec3 p = w[0] * solid.mesh.positions[t[0]] + w[1] * solid.mesh.positions[t[1]] +
                      w[2] * solid.mesh.positions[t[2]];
       const auto c = tree.closest(p);
-      samples[4 * i + static_cast<std::size_t>(k)] = {c->onRim ? -1 : std::abs(c->distance / r - 1),
-                                                      area / 4};
+      samples[each * i + k] = {c->onRim ? -1 : std::abs(c->distance / r - 1), area / double(each)};
     }
   });
   std::vector<Sample> full;
   for (std::size_t i = 0; i < shell.size(); ++i) {
     const Triangle& t = solid.mesh.triangles[shell[i]];
     if (std::all_of(t.begin(), t.end(), [&](VertexId v) { return distance[v] >= kFull * r; }))
-      full.insert(full.end(), &samples[4 * i], &samples[4 * i] + 4);
+      full.insert(full.end(), &samples[each * i], &samples[each * i] + each);
   }
   solid.report.shellError = summary(std::move(samples));
   solid.report.shellErrorFullDepth = summary(std::move(full));

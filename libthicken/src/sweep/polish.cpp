@@ -25,8 +25,13 @@ constexpr double kDamping = 0.02;
 // coarseness of the copy.
 constexpr double kCutOff = 0.9;
 
+// Points of a triangle: the middle and the middles of the three corner pieces.
 constexpr double kSamplePoints[4][3] = {
     {1. / 3, 1. / 3, 1. / 3}, {2. / 3, 1. / 6, 1. / 6}, {1. / 6, 2. / 3, 1. / 6}, {1. / 6, 1. / 6, 2. / 3}};
+// Of a large shell only the middles: its triangles are small.
+std::size_t samplesOf(std::size_t triangles) {
+  return triangles > 50000 ? 1 : 4;
+}
 
 struct Sample {
   Vec3 away = Vec3::Zero();  // unit, from the closest point; zero for a sample that does not count
@@ -74,15 +79,16 @@ std::vector<TriangleId> wholeTriangles(const SweptMesh& mesh) {
 
 void polish(SweptMesh& mesh, const ClosestPointTree& tree, const RunContext& context, int threads) {
   const auto shell = wholeTriangles(mesh);
-  std::vector<Sample> samples(4 * shell.size());
+  const std::size_t each = samplesOf(shell.size());
+  std::vector<Sample> samples(each * shell.size());
   std::vector<Vec3> start;
   for (const Copy& c : mesh.copies) start.push_back(c.offset);
   for (int round = 0; round < kRounds; ++round) {
     parallelFor(shell.size(), threads, context, 256, [&](std::size_t i) {
-      const auto mine = std::span(samples).subspan(4 * i, 4);
+      const auto mine = std::span(samples).subspan(each * i, each);
       if (round > 0 && isSettled(mine, mesh.thickness)) return;
       const Triangle& t = mesh.triangles[shell[i]];
-      for (std::size_t k = 0; k < 4; ++k) {
+      for (std::size_t k = 0; k < each; ++k) {
         const auto& w = kSamplePoints[k];
         const Vec3 p =
             w[0] * mesh.positions[t[0]] + w[1] * mesh.positions[t[1]] + w[2] * mesh.positions[t[2]];
@@ -98,9 +104,10 @@ void polish(SweptMesh& mesh, const ClosestPointTree& tree, const RunContext& con
       const double area = (mesh.positions[t[1]] - mesh.positions[t[0]])
                               .cross(mesh.positions[t[2]] - mesh.positions[t[0]])
                               .norm();
-      for (std::size_t k = 0; k < 4; ++k)
+      for (std::size_t k = 0; k < each; ++k)
         for (int corner = 0; corner < 3; ++corner)
-          quadric[t[corner] - mesh.surfaceVertices].add(samples[4 * i + k], kSamplePoints[k][corner], area);
+          quadric[t[corner] - mesh.surfaceVertices].add(samples[each * i + k], kSamplePoints[k][corner],
+                                                        area);
     }
     for (std::size_t i = 0; i < quadric.size(); ++i) {
       Copy& c = mesh.copies[i];
