@@ -30,7 +30,9 @@ void requireFolderFor(const fs::path& path) {
 
 void writeText(const fs::path& path, const std::string& text) {
   fs::path temporary = path;
-  temporary += "." + std::to_string(getpid()) + ".part";
+  temporary += '.';
+  temporary += std::to_string(getpid());
+  temporary += ".part";
   std::error_code ignored;
   std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
   file << text;
