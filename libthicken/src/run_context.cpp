@@ -114,15 +114,15 @@ void RunContext::advance(double part) noexcept {
 }
 
 void RunContext::throwIfCancelled() const {
-  if (cancelled()) throw Error(ErrorCode::kCancelled, "The run was cancelled; nothing was written.");
+  if (cancelled()) throw Error(ErrorCode::kCancelled, "the run was cancelled; nothing was written");
 }
 
 void RunContext::reserve(std::size_t bytes, std::string_view remedy) const {
   const std::size_t limit = memoryLimit();
   if (limit == 0 || bytes <= limit) return;
-  std::string sentence = "The run would need about " + mebibytes(bytes) +
+  std::string sentence = "the run would need about " + mebibytes(bytes) +
                          " of memory, more than the limit of " + mebibytes(limit);
-  sentence += remedy.empty() ? "." : ": " + std::string(remedy);
+  sentence += remedy.empty() ? "" : ": " + std::string(remedy);
   throw Error(ErrorCode::kMemoryLimit, sentence);
 }
 

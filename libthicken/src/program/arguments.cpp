@@ -110,13 +110,13 @@ void refuseSharedPaths(const Arguments& arguments) {
   if (same(arguments.input) || same(arguments.output))
     throw Error(
         ErrorCode::kInvalidArgument,
-        "--report names a file that the run reads or writes itself; give the report a name of its own.");
+        "--report names a file that the run reads or writes itself; give the report a name of its own");
 }
 
 Error usageError(const CLI::ParseError& error, const std::string& command) {
   std::string sentence = error.what();
   while (!sentence.empty() && (sentence.back() == '.' || sentence.back() == '\n')) sentence.pop_back();
-  return {ErrorCode::kInvalidArgument, sentence + ". Run `" + command + " --help` for the options."};
+  return {ErrorCode::kInvalidArgument, sentence + "; `" + command + " --help` lists the options"};
 }
 
 }  // namespace

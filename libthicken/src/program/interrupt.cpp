@@ -21,7 +21,7 @@ extern "C" void cancelInterrupted(int) {
     return;
   }
   abandonWrites();
-  constexpr char kLastLine[] = "\nthicken: cancelled: The run was cut off; nothing was written.\n";
+  constexpr char kLastLine[] = "\nthicken: cancelled: the run was cut off; nothing was written\n";
   const auto written = write(STDERR_FILENO, kLastLine, sizeof kLastLine - 1);
   static_cast<void>(written);  // there is nobody else to tell
   _exit(exitStatus(ErrorCode::kCancelled));

@@ -46,11 +46,11 @@ int main(int argc, char** argv) {
   } catch (const Error& error) {
     return fail(error, quiet);
   } catch (const std::bad_alloc&) {
-    return fail(Error(ErrorCode::kMemoryLimit, "The machine ran out of memory."), quiet);
+    return fail(Error(ErrorCode::kMemoryLimit, "the machine ran out of memory"), quiet);
   } catch (const std::exception&) {
     return fail(Error(ErrorCode::kInternal,
-                      "The program broke one of its own rules; nothing was written. "
-                      "Please report it with the surface that caused it."),
+                      "the program broke one of its own rules; nothing was written; please report it with "
+                      "the surface that caused it"),
                 quiet);
   }
 }

@@ -75,7 +75,7 @@ void withReport(const Arguments& arguments, Run run) {
       run();
     } catch (const std::bad_alloc&) {
       throw Error(ErrorCode::kMemoryLimit,
-                  "The machine ran out of memory; free some, or use a larger --cell or a coarser surface.");
+                  "the machine ran out of memory; free some, or use a larger --cell or a coarser surface");
     }
   } catch (const Error& error) {
     if (error.code() != ErrorCode::kCancelled) writeReport(arguments, toJson(error));
