@@ -58,8 +58,13 @@ struct DistanceTree::Builder {
     return b;
   }
 
+  // Below this depth ranges are halved by count, so that sizes in geometric progression cannot make the
+  // tree deeper than the stack of nearest() holds: 28 levels and one for each of 32 halvings.
+  static constexpr int kDeepest = 28;
+
   // The place to split a range; triangles of the range are reordered around it.
-  std::uint32_t split(const Range& r) {
+  std::uint32_t split(const Range& r, int depth) {
+    if (depth > kDeepest) return (r.begin + r.end) / 2;
     Box middle;
     for (std::uint32_t i = r.begin; i < r.end; ++i) middle.add(middles[tree.order_[i]]);
     int axis = 0;
@@ -110,7 +115,7 @@ struct DistanceTree::Builder {
     return (r.begin + r.end) / 2;  // all middles coincide
   }
 
-  std::int32_t build(const Range& whole) {
+  std::int32_t build(const Range& whole, int depth) {
     std::vector<Range> parts{whole};
     while (parts.size() < static_cast<std::size_t>(kWidth)) {  // open the largest part until four
       std::size_t widest = parts.size();
@@ -122,7 +127,7 @@ struct DistanceTree::Builder {
       }
       if (widest == parts.size()) break;
       const Range r = parts[widest];
-      const std::uint32_t mid = split(r);
+      const std::uint32_t mid = split(r, depth);
       parts[widest] = {r.begin, mid, boxOf(r.begin, mid)};
       parts.push_back({mid, r.end, boxOf(mid, r.end)});
     }
@@ -138,7 +143,7 @@ struct DistanceTree::Builder {
           child = -1 - static_cast<std::int32_t>(r.begin);
           count = static_cast<std::int32_t>(r.end - r.begin);
         } else {
-          child = build(r);
+          child = build(r, depth + 1);
         }
       }
       Node& node = tree.nodes_[static_cast<std::size_t>(id)];
@@ -174,7 +179,7 @@ DistanceTree::DistanceTree(std::span<const Vec3> positions, std::span<const Tria
   centre_ = (whole.low + whole.high) / 2;
   // A query as far as twice the extent away is rounded by less than this.
   builder.slack = (whole.high - whole.low).maxCoeff() * 4e-7;
-  builder.build({0, static_cast<std::uint32_t>(triangles.size()), whole});
+  builder.build({0, static_cast<std::uint32_t>(triangles.size()), whole}, 0);
   prepared_.reserve(order_.size());
   placeOf_.resize(order_.size());
   for (std::uint32_t i = 0; i < order_.size(); ++i) {
