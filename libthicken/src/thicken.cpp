@@ -40,26 +40,9 @@ void reverse(TriangleMesh& mesh) {
   for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
 }
 
-Solid assemble(SweepResult& swept, const SurfaceFacts& input, const Options& options, int threads) {
-  Solid solid;
-  solid.mesh = std::move(swept.mesh);
-  solid.region = std::move(swept.region);
-  solid.depth = std::move(swept.depth);
-  Report& report = solid.report;
-  report.input = input;
-  report.thickness = options.thickness;
-  report.side = options.side;
-  report.method = Method::kSweep;
-  report.threads = threads;
-  report.droppedCopies = swept.droppedCopies;
-  report.rounds = swept.rounds;
-  return solid;
-}
-
-// The paper's method.
-Solid reconstructed(const TriangleMesh& oriented, const ClosestPointTree& tree, const SurfaceFacts& input,
-                    const Options& options, const RunContext& context, int threads, Stopwatch& watch) {
-  Reconstruction made = reconstruct(oriented, tree, options, context, threads, watch);
+// The solid of either method, with what every report says of its run.
+template <class Made>
+Solid assemble(Made made, Method method, const SurfaceFacts& input, const Options& options, int threads) {
   Solid solid;
   solid.mesh = std::move(made.mesh);
   solid.region = std::move(made.region);
@@ -68,9 +51,8 @@ Solid reconstructed(const TriangleMesh& oriented, const ClosestPointTree& tree, 
   report.input = input;
   report.thickness = options.thickness;
   report.side = options.side;
-  report.method = Method::kReconstruct;
+  report.method = method;
   report.threads = threads;
-  report.cell = made.cell;
   report.rounds = made.rounds;
   return solid;
 }
@@ -130,11 +112,16 @@ Solid thicken(const TriangleMesh& input, const Options& options, RunContext cont
   watch.lap("tree");
   Solid solid;
   if (options.method == Method::kReconstruct) {
-    solid = reconstructed(oriented, tree, checked.facts, options, context, threads, watch);
+    Reconstruction made = reconstruct(oriented, tree, options, context, threads, watch);
+    const double cell = made.cell;
+    solid = assemble(std::move(made), Method::kReconstruct, checked.facts, options, threads);
+    solid.report.cell = cell;
   } else {
     const Side side = options.side == Side::kBoth ? Side::kBoth : Side::kNegative;
-    SweepResult swept = sweep(oriented, tree, options.thickness, side, context, threads);
-    solid = assemble(swept, checked.facts, options, threads);
+    SweepResult made = sweep(oriented, tree, options.thickness, side, context, threads);
+    const std::size_t dropped = made.droppedCopies;
+    solid = assemble(std::move(made), Method::kSweep, checked.facts, options, threads);
+    solid.report.droppedCopies = dropped;
     watch.lap("sweep");
   }
 
