@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "measure/shell_samples.h"
 #include "mesh/topology.h"
 #include "parallel_for.h"
 
@@ -44,11 +45,6 @@ ErrorFacts summary(std::vector<Sample> samples) {
   return facts;
 }
 
-// Four points a triangle: the middle and the middles of the three corner pieces; of a large shell only
-// the middle.
-constexpr double kSamplePoints[4][3] = {
-    {1. / 3, 1. / 3, 1. / 3}, {2. / 3, 1. / 6, 1. / 6}, {1. / 6, 2. / 3, 1. / 6}, {1. / 6, 1. / 6, 2. / 3}};
-
 // Distance of every shell vertex from S, mm; infinite for other vertices.
 std::vector<double> shellDistances(const Solid& solid, const ClosestPointTree& tree,
                                    const RunContext& context, int threads) {
@@ -71,13 +67,13 @@ void measureShell(Solid& solid, const ClosestPointTree& tree, std::span<const do
   std::vector<TriangleId> shell;
   for (TriangleId t = 0; t < solid.region.size(); ++t)
     if (solid.region[t] == Region::kShell) shell.push_back(t);
-  const std::size_t each = shell.size() > 50000 ? 1 : 4;
+  const std::size_t each = shellSamplesPerTriangle(shell.size());
   std::vector<Sample> samples(each * shell.size());
   parallelFor(shell.size(), threads, context, 512, [&](std::size_t i) {
     const Triangle& t = solid.mesh.triangles[shell[i]];
     const double area = areaOf(solid.mesh.positions, t);
     for (std::size_t k = 0; k < each; ++k) {
-      const auto& w = kSamplePoints[k];
+      const auto& w = kShellSamples[k];
       const Vec3 p = w[0] * solid.mesh.positions[t[0]] + w[1] * solid.mesh.positions[t[1]] +
                      w[2] * solid.mesh.positions[t[2]];
       const auto c = tree.closest(p);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <span>
 
+#include "measure/shell_samples.h"
 #include "parallel_for.h"
 
 namespace thicken {
@@ -24,14 +25,6 @@ constexpr double kDamping = 0.02;
 // Points of the shell nearer than this share of r are cut off by another sheet or a fold, not by the
 // coarseness of the copy.
 constexpr double kCutOff = 0.9;
-
-// Points of a triangle: the middle and the middles of the three corner pieces.
-constexpr double kSamplePoints[4][3] = {
-    {1. / 3, 1. / 3, 1. / 3}, {2. / 3, 1. / 6, 1. / 6}, {1. / 6, 2. / 3, 1. / 6}, {1. / 6, 1. / 6, 2. / 3}};
-// Of a large shell only the middles: its triangles are small.
-std::size_t samplesOf(std::size_t triangles) {
-  return triangles > 50000 ? 1 : 4;
-}
 
 struct Sample {
   Vec3 away = Vec3::Zero();  // unit, from the closest point; zero for a sample that does not count
@@ -79,7 +72,7 @@ std::vector<TriangleId> wholeTriangles(const SweptMesh& mesh) {
 
 void polish(SweptMesh& mesh, const ClosestPointTree& tree, const RunContext& context, int threads) {
   const auto shell = wholeTriangles(mesh);
-  const std::size_t each = samplesOf(shell.size());
+  const std::size_t each = shellSamplesPerTriangle(shell.size());
   std::vector<Sample> samples(each * shell.size());
   std::vector<Vec3> start;
   for (const Copy& c : mesh.copies) start.push_back(c.offset);
@@ -89,7 +82,7 @@ void polish(SweptMesh& mesh, const ClosestPointTree& tree, const RunContext& con
       if (round > 0 && isSettled(mine, mesh.thickness)) return;
       const Triangle& t = mesh.triangles[shell[i]];
       for (std::size_t k = 0; k < each; ++k) {
-        const auto& w = kSamplePoints[k];
+        const auto& w = kShellSamples[k];
         const Vec3 p =
             w[0] * mesh.positions[t[0]] + w[1] * mesh.positions[t[1]] + w[2] * mesh.positions[t[2]];
         const auto c = tree.closest(p);
@@ -106,7 +99,7 @@ void polish(SweptMesh& mesh, const ClosestPointTree& tree, const RunContext& con
                               .norm();
       for (std::size_t k = 0; k < each; ++k)
         for (int corner = 0; corner < 3; ++corner)
-          quadric[t[corner] - mesh.surfaceVertices].add(samples[each * i + k], kSamplePoints[k][corner],
+          quadric[t[corner] - mesh.surfaceVertices].add(samples[each * i + k], kShellSamples[k][corner],
                                                         area);
     }
     for (std::size_t i = 0; i < quadric.size(); ++i) {
