@@ -49,7 +49,7 @@ def solid_of(source: Any, arguments: dict[str, Any]) -> tuple[Any, dict[str, Any
     if not arguments["thickness"] > 0:
         raise RefusedError("Thickness is 0 mm. Set it to more than that.")
     try:
-        from .arrays import thicken_mesh
+        from . import precomputed
         from .mesh_io import MeshTransferError, arrays_from_mesh, mesh_from_arrays
 
         extension = native.load()
@@ -57,7 +57,7 @@ def solid_of(source: Any, arguments: dict[str, Any]) -> tuple[Any, dict[str, Any
         raise RefusedError(str(error)) from None
     try:
         surface = arrays_from_mesh(source.Mesh)
-        solid = thicken_mesh(*surface, **arguments, **_limits())
+        solid = precomputed.thicken(surface, arguments, **_limits())
         return mesh_from_arrays(solid.vertices, solid.triangles), solid.report
     except extension.ThickenError as error:
         raise RefusedError(_sentences(error, source)) from None
