@@ -8,5 +8,6 @@ PYBIND11_MODULE(_thicken, module) {
   thicken::python::bindError(module);
   thicken::python::bindContext(module);
   thicken::python::bindThicken(module);
+  thicken::python::bindInspect(module);
   thicken::python::bindFiles(module);
 }

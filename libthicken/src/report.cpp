@@ -151,4 +151,22 @@ std::string toJson(const CheckResult& result) {
   return text(json);
 }
 
+std::string toJson(const Inspection& inspection) {
+  Json json = head(inspection.audit.passed() ? "ok" : "refused");
+  json["volume_mm3"] = inspection.volume;
+  json["area_mm2"] = inspection.area;
+  json["audit"] = verdicts(inspection.audit);
+  json["defects"] = defectList(inspection.defects);
+  json["shells"] = Json::array();
+  for (const SolidShell& shell : inspection.shells) {
+    Json within;
+    if (shell.within != SolidShell::kNoShell) within = shell.within;
+    json["shells"].push_back({{"triangles", shell.triangles},
+                              {"volume_mm3", shell.volume},
+                              {"cavity", shell.cavity},
+                              {"within", within}});
+  }
+  return text(json);
+}
+
 }  // namespace thicken

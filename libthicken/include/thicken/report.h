@@ -7,6 +7,7 @@
 
 #include "thicken/check.h"
 #include "thicken/error.h"
+#include "thicken/inspect.h"
 #include "thicken/result.h"
 
 namespace thicken {
@@ -14,5 +15,6 @@ namespace thicken {
 [[nodiscard]] std::string toJson(const Report& report);
 [[nodiscard]] std::string toJson(const Error& error);
 [[nodiscard]] std::string toJson(const CheckResult& result);
+[[nodiscard]] std::string toJson(const Inspection& inspection);  ///< without the shell of each triangle
 
 }  // namespace thicken

@@ -13,6 +13,7 @@
 #include "thicken/check.h"
 #include "thicken/closest_point.h"
 #include "thicken/error.h"
+#include "thicken/inspect.h"
 #include "thicken/io.h"
 #include "thicken/mesh.h"
 #include "thicken/options.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "check/nesting.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "exact/predicates.h"
@@ -75,16 +76,28 @@ bool facesOutward(const TriangleMesh& mesh, const HalfEdges& edges, VertexId low
   return orientation(v, mesh.positions[first], third(uses[0]), third(back[0])) < 0;
 }
 
+std::vector<std::uint32_t> shellsAround(const TriangleMesh& mesh, const exact::BoxTree& tree,
+                                        const Components& shells, VertexId v, std::uint32_t ownShell) {
+  const Vec3& x = mesh.positions[v];
+  std::vector<std::uint32_t> crossed;  // a shell as often as the half line from x toward −x crosses it
+  for (const TriangleId t : tree.near({-std::numeric_limits<double>::infinity(), x[1], x[2]}, x)) {
+    const std::uint32_t shell = shells.ofTriangle[t];
+    const Triangle& c = mesh.triangles[t];
+    if (shell != ownShell && crossesBelow(mesh.positions[c[0]], mesh.positions[c[1]], mesh.positions[c[2]], x))
+      crossed.push_back(shell);
+  }
+  std::sort(crossed.begin(), crossed.end());
+  std::vector<std::uint32_t> around;
+  for (std::size_t i = 0, j = 0; i < crossed.size(); i = j) {
+    while (j < crossed.size() && crossed[j] == crossed[i]) ++j;
+    if ((j - i) % 2 == 1) around.push_back(crossed[i]);
+  }
+  return around;
+}
+
 bool insideOddNumber(const TriangleMesh& mesh, const exact::BoxTree& tree, const Components& shells,
                      VertexId v, std::uint32_t ownShell) {
-  const Vec3& x = mesh.positions[v];
-  bool odd = false;
-  for (const TriangleId t : tree.near({-std::numeric_limits<double>::infinity(), x[1], x[2]}, x)) {
-    if (shells.ofTriangle[t] == ownShell) continue;
-    const Triangle& c = mesh.triangles[t];
-    odd ^= crossesBelow(mesh.positions[c[0]], mesh.positions[c[1]], mesh.positions[c[2]], x);
-  }
-  return odd;
+  return shellsAround(mesh, tree, shells, v, ownShell).size() % 2 == 1;
 }
 
 }  // namespace thicken

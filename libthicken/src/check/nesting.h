@@ -24,4 +24,9 @@ namespace thicken {
 [[nodiscard]] bool insideOddNumber(const TriangleMesh& mesh, const exact::BoxTree& tree,
                                    const Components& shells, VertexId v, std::uint32_t ownShell);
 
+/// The shells other than its own that `v` lies inside, ascending, under the same conditions.
+[[nodiscard]] std::vector<std::uint32_t> shellsAround(const TriangleMesh& mesh, const exact::BoxTree& tree,
+                                                      const Components& shells, VertexId v,
+                                                      std::uint32_t ownShell);
+
 }  // namespace thicken

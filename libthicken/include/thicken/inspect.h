@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// What a finished solid is like, wherever it comes from: whether it is valid, which shells it has,
+// which of them enclose cavities, and how thick its walls are.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "thicken/error.h"
+#include "thicken/mesh.h"
+#include "thicken/result.h"
+#include "thicken/run_context.h"
+
+namespace thicken {
+
+/// One connected part of the boundary of a solid.
+struct SolidShell {
+  static constexpr std::uint32_t kNoShell = 0xffffffffu;
+
+  std::size_t triangles = 0;
+  double volume = 0;                ///< mm³, positive
+  bool cavity = false;              ///< it encloses a hollow: nothing that is in there gets out
+  std::uint32_t within = kNoShell;  ///< the nearest shell around it
+};
+
+struct Inspection {
+  AuditFacts audit;             ///< surfaceKept is always true: there is no surface to keep
+  std::vector<Defect> defects;  ///< what the audit found
+  double volume = 0;            ///< mm³, cavities taken off
+  double area = 0;              ///< mm²
+  std::vector<std::uint32_t> shellOfTriangle;
+  std::vector<SolidShell> shells;  ///< empty where the audit failed; numbered by first triangle
+};
+
+/// Audits `solid` by exact predicates, corners of equal coordinates being one vertex, and takes stock
+/// of its shells. Throws only kCancelled.
+[[nodiscard]] Inspection inspect(const TriangleMesh& solid, RunContext context = {}, int threads = 0);
+
+/// For each triangle, how far it is from its middle straight through the material to the boundary again,
+/// mm; infinite for a triangle without area and where the way never leaves. Throws only kCancelled.
+[[nodiscard]] std::vector<double> wallThickness(const TriangleMesh& solid, RunContext context = {},
+                                                int threads = 0);
+
+}  // namespace thicken

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "thicken/inspect.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <utility>
+
+#include "bvh/ray_tree.h"
+#include "check/audit.h"
+#include "check/nesting.h"
+#include "measure/measure.h"
+#include "mesh/topology.h"
+#include "parallel_for.h"
+#include "thicken/check.h"
+
+namespace thicken {
+namespace {
+
+// The volume that each shell encloses, of negative sign for one that faces inwards.
+std::vector<double> volumesOf(const TriangleMesh& mesh, const Components& shells) {
+  std::vector<double> volume(shells.count, 0);
+  std::vector<Vec3> origin(shells.count);
+  std::vector<std::uint8_t> begun(shells.count, 0);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    const std::uint32_t s = shells.ofTriangle[t];
+    if (!std::exchange(begun[s], std::uint8_t{1})) origin[s] = mesh.positions[a];
+    volume[s] += (mesh.positions[a] - origin[s])
+                     .cross(mesh.positions[b] - origin[s])
+                     .dot(mesh.positions[c] - origin[s]) /
+                 6;
+  }
+  return volume;
+}
+
+std::vector<SolidShell> shellsOf(const TriangleMesh& mesh, const Components& parts, int threads) {
+  const std::vector<double> volume = volumesOf(mesh, parts);
+  const std::vector<VertexId> lowest = lowestVertices(mesh, parts);
+  const exact::BoxTree tree(mesh.positions, mesh.triangles, threads);
+  std::vector<SolidShell> shells(parts.count);
+  for (const std::uint32_t s : parts.ofTriangle) ++shells[s].triangles;
+  for (std::uint32_t s = 0; s < parts.count; ++s) {
+    SolidShell& shell = shells[s];
+    shell.volume = std::abs(volume[s]);
+    const std::vector<std::uint32_t> around = shellsAround(mesh, tree, parts, lowest[s], s);
+    shell.cavity = around.size() % 2 == 1;
+    for (const std::uint32_t other : around)
+      if (shell.within == SolidShell::kNoShell || std::abs(volume[other]) < std::abs(volume[shell.within]))
+        shell.within = other;
+  }
+  return shells;
+}
+
+}  // namespace
+
+Inspection inspect(const TriangleMesh& solid, RunContext context, int threads) {
+  const TriangleMesh mesh = weld(solid);
+  Inspection result;
+  AuditResult audited = audit(mesh, {}, Side::kNegative, context, threads);
+  result.audit = audited.facts;
+  result.audit.surfaceKept = true;
+  result.defects = std::move(audited.defects);
+  const Components parts = componentsOf(mesh.positions.size(), mesh.triangles);
+  result.shellOfTriangle = parts.ofTriangle;
+  if (!result.audit.passed()) return result;
+  result.volume = volumeOf(mesh);
+  result.area = areaOf(mesh);
+  result.shells = shellsOf(mesh, parts, threads);
+  return result;
+}
+
+std::vector<double> wallThickness(const TriangleMesh& solid, RunContext context, int threads) {
+  const RayTree tree(solid.positions, solid.triangles);
+  std::vector<double> thickness(solid.triangles.size(), std::numeric_limits<double>::infinity());
+  parallelFor(thickness.size(), threads, context, 256, [&](std::size_t t) {
+    const auto& [a, b, c] = solid.triangles[t];
+    const Vec3& p = solid.positions[a];
+    const Vec3 normal = (solid.positions[b] - p).cross(solid.positions[c] - p);
+    if (normal.squaredNorm() == 0) return;
+    const Vec3 middle = p + ((solid.positions[b] - p) + (solid.positions[c] - p)) / 3;
+    thickness[t] = tree.first(middle, -normal.stableNormalized(), static_cast<TriangleId>(t)).along;
+  });
+  return thickness;
+}
+
+}  // namespace thicken
