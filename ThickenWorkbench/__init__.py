@@ -7,15 +7,24 @@ features opened, where the compiled extension is missing; what needs it then say
 
 from __future__ import annotations
 
+import sys
 from importlib import import_module
-from typing import TYPE_CHECKING
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
 
 __version__ = "0.1.0"
 
 if TYPE_CHECKING:
     from ._thicken import RunContext, ThickenError
     from .arrays import Region, ThickenedMesh, check_mesh, read_mesh, thicken_mesh, weld_mesh, write_mesh
+    from .check_surface import check_surface
+    from .drain_holes import make_drain_holes
+    from .export import export_for_printing
     from .feature import make_thicken
+    from .part_solid import make_part_solid, part_solid, part_solid_of
+    from .printability import printability, write_report
+    from .regions import facet_regions
+    from .thickness_map import thickness_map
 
 _HOMES = {
     "Region": "arrays",
@@ -25,11 +34,33 @@ _HOMES = {
     "thicken_mesh": "arrays",
     "weld_mesh": "arrays",
     "write_mesh": "arrays",
+    "check_surface": "check_surface",
+    "make_drain_holes": "drain_holes",
+    "export_for_printing": "export",
     "make_thicken": "feature",
+    "make_part_solid": "part_solid",
+    "part_solid": "part_solid",
+    "part_solid_of": "part_solid",
+    "printability": "printability",
+    "write_report": "printability",
+    "facet_regions": "regions",
+    "thickness_map": "thickness_map",
     "RunContext": "native",
     "ThickenError": "native",
 }
 __all__ = sorted(_HOMES)
+
+
+class _Package(ModuleType):
+    """Some functions have the name of their module. Importing a module puts it into its package by
+    its name: here the function stays what the name means."""
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        if not (name in _HOMES and isinstance(value, ModuleType)):
+            super().__setattr__(name, value)
+
+
+sys.modules[__name__].__class__ = _Package
 
 
 def __getattr__(name: str):

@@ -3,34 +3,36 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Iterable, Sequence
 
 import FreeCAD as App
 import Mesh
 
 from . import build, params
+from .beside import placement_in_parent_of, put_beside, show_instead_of
+from .proxy import StatelessProxy
+from .sources import require_source
 from .source_observer import observe_sources
 
 
-class ThickenFeature:
-    """Proxy of a Mesh::FeaturePython that holds the solid of its Source. It has no state of its own."""
+class ThickenFeature(StatelessProxy):
+    """Proxy of a Mesh::FeaturePython that holds the solid of its Source."""
 
-    def __init__(self, obj: Any) -> None:
-        obj.Proxy = self
+    def ensure_properties(self, obj: Any) -> None:
         params.ensure_properties(obj)
 
     def execute(self, obj: Any) -> None:
         """Compute the solid. When that is refused, nothing of an earlier one stays behind."""
         try:
-            build.require_source(obj.Source, obj)
-            mesh, report = build.solid_of(obj.Source, params.arguments(obj))
+            require_source(obj.Source, obj)
+            mesh, solid = build.solid_of(obj.Source, params.arguments(obj), **params.choice(obj))
         except BaseException:
             obj.Mesh = Mesh.Mesh()
             params.clear_results(obj)
             raise
-        mesh.Placement = build.placement_in_parent_of(obj, obj.Source)
+        mesh.Placement = placement_in_parent_of(obj, obj.Source)
         obj.Mesh = mesh  # takes over the Placement as well
-        params.show_report(obj, report)
+        params.show_solid(obj, solid)
         for warning in obj.Warnings:
             App.Console.PrintWarning(f"{obj.Label}: {warning}\n")
 
@@ -38,28 +40,10 @@ class ThickenFeature:
         if name == "Quality" and "SchemaVersion" in obj.PropertiesList and "Restore" not in obj.State:
             params.show_quality(obj)
 
-    def onDocumentRestored(self, obj: Any) -> None:
-        params.ensure_properties(obj)
-        if App.GuiUp:
-            from .view_provider import attach_view_provider
-
-            attach_view_provider(obj)
-
-    # FreeCAD before 0.21.2 calls the first pair, later ones the second.
-    def __getstate__(self) -> None:
-        return None
-
-    def __setstate__(self, state: Any) -> None:
-        return None
-
-    def dumps(self) -> None:
-        return None
-
-    def loads(self, state: Any) -> None:
-        return None
-
 
 observe_sources(ThickenFeature)
+
+OUTPUTS = ("mesh", "solid")
 
 
 def make_thicken(
@@ -72,41 +56,72 @@ def make_thicken(
     cell: Any = None,
     resolution: int | None = None,
     tolerance: Any = None,
+    smooth: int | None = None,
     repair: bool = False,
+    faces: Sequence[Any] = (),
+    facets: Iterable[int] = (),
+    deflection: Any = None,
+    output: str = "mesh",
     name: str = "Thicken",
 ) -> Any:
-    """Add a feature that thickens the mesh object `source` to `doc`, recompute, and return it.
+    """Add a feature that thickens the mesh or shape `source` to `doc`, recompute, and return it.
 
+    `source` may be a list: every object of it gets a feature, and the list of them is returned.
     Lengths are numbers of mm, quantities, or text such as "2 mm". Without a thickness it is
     build.suggested_thickness(). Of cell, resolution and tolerance give one or none.
+
+    `faces` (names such as "Face3") choose a part of a shape, `facets` (indices) a part of a mesh;
+    `deflection` is the farthest that the triangles of a shape may be from it. With output="solid" a
+    Part solid of the result is added as well: part_solid.part_solid_of(feature).
 
     A surface that is refused does not raise: as after any recompute, the feature's State then has
     "Invalid" and its getStatusString() says why. Arguments that make no sense raise, and leave
     the document as it was.
     """
-    build.require_source(source)
+    several = isinstance(source, (list, tuple))
+    sources = list(source) if several else [source]
+    choice = (list(faces), [int(facet) for facet in facets], deflection)
+    if len(sources) > 1 and (choice[0] or choice[1]):
+        raise ValueError("faces and facets choose a part of one source; several were given")
+    if output not in OUTPUTS:
+        raise ValueError(f"output must be one of {', '.join(OUTPUTS)}, not {output!r}")
+    for each in sources:
+        require_source(each)
+    inputs = dict(
+        side=side, method=method, repair=repair, smooth=smooth, cell=cell, resolution=resolution, tolerance=tolerance
+    )
+    made = []
+    try:
+        for each in sources:
+            made.append(_add_feature(doc, each, name, thickness, choice, inputs))
+    except Exception:
+        for feature in made:
+            doc.removeObject(feature.Name)
+        raise
+    for feature in made:
+        show_instead_of(feature, feature.Source)
+    if output == "solid":
+        from .part_solid import add_part_solid
+
+        for feature in made:
+            show_instead_of(add_part_solid(doc, feature), feature)
+    doc.recompute()
+    return made if several else made[0]
+
+
+def _add_feature(doc: Any, source: Any, name: str, thickness: Any, choice: Any, inputs: dict[str, Any]) -> Any:
     obj = doc.addObject("Mesh::FeaturePython", name)
     try:
         ThickenFeature(obj)
-        params.set_inputs(
-            obj, side=side, method=method, repair=repair, cell=cell, resolution=resolution, tolerance=tolerance
-        )
+        params.set_inputs(obj, **inputs)
+        params.set_choice(obj, source, *choice)
         _set_thickness(obj, build.suggested_thickness(source) if thickness is None else thickness)
-        group = source.getParentGeoFeatureGroup()
-        if group is not None:
-            group.addObject(obj)  # a link must not leave its coordinate system
+        put_beside(obj, source)
         obj.Source = source
     except Exception:
         doc.removeObject(obj.Name)
         raise
-    if App.GuiUp:
-        from .view_provider import attach_view_provider
-
-        attach_view_provider(obj)
-        source.ViewObject.Visibility = False
-    doc.recompute()
     return obj
-
 
 
 def _set_thickness(obj: Any, thickness: Any) -> None:

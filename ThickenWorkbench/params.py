@@ -7,7 +7,12 @@ Documents store these names: renaming or removing one needs a migration and a ne
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Callable
+from typing import TYPE_CHECKING, Any, Callable, Iterable
+
+from .sources import DEFAULT_DEFLECTION, face_names, kind_of
+
+if TYPE_CHECKING:
+    from .arrays import ThickenedMesh
 
 SCHEMA_VERSION = 1
 
@@ -46,7 +51,9 @@ def _result(name: str, kind: str, report: str, doc: str, start: Any = 0) -> Prop
 
 
 INPUTS = [
-    _input("Source", "Link", "Thicken", "The mesh to thicken; every triangle of it is kept"),
+    _input("Source", "Link", "Thicken", "The mesh or shape to thicken; every triangle of it is kept"),
+    _input("SourceFaces", "LinkSub", "Thicken", "The faces of the Source to thicken; none: all of them"),
+    _input("Facets", "IntegerList", "Thicken", "The facets of the Source to thicken; none: all of them"),
     _input("Thickness", "Length", "Thicken", "How thick the solid is", 1.0),
     _input("Side", "Enumeration", "Thicken", "Where the material lies; normals point to the positive side", SIDES),
     _input("Method", "Enumeration", "Thicken", "How the solid is computed", METHODS),
@@ -55,6 +62,9 @@ INPUTS = [
     _input("Cell", "Length", "Quality", "Cell width, below half the thickness", 0.25),
     _input("Resolution", "Integer", "Quality", "Cells along the longest side of the bounding box", 128),
     _input("Tolerance", "Length", "Quality", "The farthest that the inner shell may be from its definition", 0.05),
+    _input("Smooth", "Integer", "Quality", "Rounds of smoothing of the inner shell; -1: as many as it takes", -1),
+    _input("Deflection", "Length", "Quality", "The farthest that the triangles of a shape may be from it",
+           DEFAULT_DEFLECTION),
 ]
 
 RESULTS = [
@@ -80,6 +90,10 @@ RESULTS = [
 _SCHEMA = Property("SchemaVersion", "App::PropertyInteger", "Internal", "Version of the properties", 0,
                    _READ_ONLY | _HIDDEN | _OUTPUT)  # fmt: skip
 
+# Lengths of the runs of triangles of one region: region, count, region, count, …
+_REGION_RUNS = Property("RegionRuns", "App::PropertyIntegerList", "Internal", "Regions of the triangles", (),
+                        _READ_ONLY | _HIDDEN | _OUTPUT)  # fmt: skip
+
 # MIGRATIONS[n] turns a feature of schema n into one of schema n + 1.
 MIGRATIONS: dict[int, Callable[[Any], None]] = {}
 
@@ -87,7 +101,7 @@ MIGRATIONS: dict[int, Callable[[Any], None]] = {}
 def ensure_properties(obj: Any) -> None:
     """Add the properties that `obj` lacks and bring it to the present schema; idempotent."""
     fresh = _SCHEMA.name not in obj.PropertiesList
-    for prop in [*INPUTS, *RESULTS, _SCHEMA]:
+    for prop in [*INPUTS, *RESULTS, _REGION_RUNS, _SCHEMA]:
         if prop.name not in obj.PropertiesList:
             obj.addProperty(prop.type, prop.name, prop.group, prop.doc, prop.attributes)
             if prop.start is not None:
@@ -108,14 +122,18 @@ def show_quality(obj: Any) -> None:
         obj.setEditorMode(name, 0 if name == chosen else 2)
 
 
-def set_inputs(obj: Any, *, side: str, method: str, repair: bool, **quality: Any) -> None:
-    """Set what make_thicken() takes; of `quality` (cell, resolution, tolerance) at most one is not None."""
+def set_inputs(obj: Any, *, side: str, method: str, repair: bool, smooth: int | None, **quality: Any) -> None:
+    """Set what make_thicken() takes of numbers; of `quality` (cell, resolution, tolerance) at most one is not None."""
     given = {name.capitalize(): value for name, value in quality.items() if value is not None}
     if len(given) > 1:
         raise ValueError(f"give one of cell, resolution and tolerance, not {' and '.join(given).lower()}")
     obj.Side = _choice("side", side, SIDES)
     obj.Method = _choice("method", method, METHODS)
     obj.Repair = bool(repair)
+    if smooth is not None:
+        if not 0 <= smooth <= 100:
+            raise ValueError(f"smooth must be 0 to 100 rounds, not {smooth}")
+        obj.Smooth = smooth
     obj.Quality = next(iter(given), "Automatic")
     for name, value in given.items():
         setattr(obj, name, value)
@@ -137,11 +155,48 @@ def arguments(obj: Any) -> dict[str, Any]:
         "repair": obj.Repair,
         "precision": "single",  # that of FreeCAD's meshes
     }
+    if obj.Smooth >= 0:
+        result["smooth"] = obj.Smooth
     chosen = QUALITY_NUMBER[obj.Quality]
     if chosen is not None:
         number = getattr(obj, chosen)
         result[chosen.lower()] = getattr(number, "Value", number)
     return result
+
+
+def set_choice(obj: Any, source: Any, faces: Iterable[Any], facets: Iterable[int], deflection: Any) -> None:
+    """Set what of `source` is thickened, as make_thicken() takes it."""
+    names = face_names(faces)
+    indices = sorted({int(facet) for facet in facets})
+    if names and kind_of(source) != "shape":
+        raise ValueError(f"faces can be chosen of a shape, and “{source.Label}” is a mesh: give facets")
+    if indices and kind_of(source) != "mesh":
+        raise ValueError(f"facets can be chosen of a mesh, and “{source.Label}” is a shape: give faces")
+    if indices and indices[0] < 0:
+        raise ValueError(f"facets are counted from 0; {indices[0]} is none")
+    obj.SourceFaces = (source, names) if names else None
+    obj.Facets = indices
+    if deflection is not None:
+        obj.Deflection = deflection
+
+
+def choice(obj: Any) -> dict[str, Any]:
+    """What of the Source is thickened: the arguments of surface_arrays()."""
+    linked, names = obj.SourceFaces or (None, ())
+    # Faces of another object are left over from an earlier Source, and so are facets of a shape.
+    return {
+        "faces": [name for name in names if name] if linked == obj.Source else [],
+        "facets": obj.Facets if kind_of(obj.Source) == "mesh" else [],
+        "deflection": obj.Deflection.Value,
+    }
+
+
+def show_solid(obj: Any, solid: ThickenedMesh) -> None:
+    """Set the results from the library's."""
+    show_report(obj, solid.report)
+    from .regions import runs_of
+
+    obj.RegionRuns = runs_of(solid.region)
 
 
 def show_report(obj: Any, report: dict[str, Any]) -> None:
@@ -157,5 +212,5 @@ def show_report(obj: Any, report: dict[str, Any]) -> None:
 
 def clear_results(obj: Any) -> None:
     """Set the results to what a feature without a solid has."""
-    for prop in RESULTS:
+    for prop in [*RESULTS, _REGION_RUNS]:
         setattr(obj, prop.name, prop.start)

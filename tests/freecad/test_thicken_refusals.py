@@ -92,7 +92,7 @@ class Refusals(DocumentCase):
     def test_source_that_is_no_mesh(self):
         self.feature.Source = self.doc.addObject("App::FeaturePython", "NoMesh")
         self.doc.recompute()
-        self.assert_refused(self.feature, "NoMesh", "not a mesh")
+        self.assert_refused(self.feature, "NoMesh", "neither a mesh")
 
     def test_thickness_of_nothing(self):
         self.feature.Thickness = 0

@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How thick a solid is facet by facet, and how far its shell is from its definition.
+
+"wall" measures any closed mesh: from the middle of each facet straight through the material to the
+boundary again. "deviation" is for Thicken features: the distance of the shell from the surface less
+the thickness, which is 0 where the shell is where Definition 5 of the paper puts it; facets of the
+surface itself and of the wall have none.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
+
+import FreeCAD as App
+import numpy as np
+
+from .regions import facet_regions
+from .sources import RefusedError, kind_of
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+_SHELL = 1  # Region.SHELL
+_BINS = 32
+
+
+class Histogram(NamedTuple):
+    """Share of the measured area between one edge and the next."""
+
+    shares: NDArray[np.float64]
+    edges: NDArray[np.float64]  #: mm; one more than shares
+
+
+class ThicknessMap(NamedTuple):
+    """Values in mm; NaN where nothing is measured."""
+
+    what: str
+    facet_values: NDArray[np.float64]  #: in the order of the mesh's facets
+    vertex_values: NDArray[np.float64]  #: in the order of the mesh's points: mean of the facets around
+    minimum: float
+    maximum: float
+    mean: float  #: weighted by area, like the percentiles
+    percentiles: dict[int, float]  #: 1, 5, 50, 95, 99
+    minimum_place: App.Vector  #: global: the middle of the facet with the minimum
+    maximum_place: App.Vector
+    histogram: Histogram
+
+
+def thickness_map(feature: Any, what: Literal["wall", "deviation"] = "wall") -> ThicknessMap:
+    """Measure the mesh of `feature`.
+
+    Raises sources.RefusedError for an object without a closed mesh, and for "deviation" of an object that
+    is not a Thicken feature with a solid.
+    """
+    from .mesh_io import arrays_from_mesh
+
+    if what not in ("wall", "deviation"):
+        raise ValueError(f"what must be 'wall' or 'deviation', not {what!r}")
+    if kind_of(feature) != "mesh" or feature.Mesh.CountFacets == 0:
+        raise RefusedError(f"“{getattr(feature, 'Label', feature)}” has no mesh to measure.")
+    vertices, triangles = arrays_from_mesh(feature.Mesh)
+    vertices = vertices.astype(float)
+    values = _wall(feature, vertices, triangles) if what == "wall" else _deviation(feature, vertices, triangles)
+    return _summary(what, values, vertices, triangles, feature.getGlobalPlacement())
+
+
+def _wall(feature: Any, vertices: NDArray, triangles: NDArray) -> NDArray:
+    from . import native
+
+    if not feature.Mesh.isSolid():
+        raise RefusedError(f"“{feature.Label}” is not closed: only a closed mesh has a wall thickness.")
+    values = native.load().wall_thickness(vertices, triangles)
+    return np.where(np.isfinite(values), values, np.nan)
+
+
+def _deviation(feature: Any, vertices: NDArray, triangles: NDArray) -> NDArray:
+    from . import native
+    from .build import surface_of
+
+    if not getattr(feature, "Valid", False) or not hasattr(feature, "Thickness"):
+        raise RefusedError(f"“{feature.Label}” is no Thicken feature with a solid: there is nothing to deviate from.")
+    regions = facet_regions(feature)
+    if len(regions) != len(triangles):
+        raise RefusedError(f"The mesh of “{feature.Label}” is not the one that was computed. Recompute it.")
+    shell = np.flatnonzero(regions == _SHELL)
+    closest = native.load().closest_points(*surface_of(feature), vertices[triangles[shell]].mean(axis=1))
+    measured = closest["on_rim"] == 0  # beyond the rim the shell is wall, whatever it is called
+    values = np.full(len(triangles), np.nan)
+    values[shell[measured]] = closest["distance"][measured] - feature.Thickness.Value
+    return values
+
+
+def _summary(what: str, values: NDArray, vertices: NDArray, triangles: NDArray, placement: Any) -> ThicknessMap:
+    corners = vertices[triangles]
+    areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
+    known = np.flatnonzero(np.isfinite(values) & (areas > 0))
+    if len(known) == 0:
+        raise RefusedError("There is no facet at which this could be measured.")
+    sample, weights = values[known], areas[known] / areas[known].sum()
+    low, high = known[sample.argmin()], known[sample.argmax()]
+
+    def place(facet: int) -> App.Vector:
+        return placement.multVec(App.Vector(*corners[facet].mean(axis=0)))
+
+    return ThicknessMap(
+        what=what,
+        facet_values=values,
+        vertex_values=_at_vertices(values, areas, triangles, len(vertices)),
+        minimum=float(values[low]),
+        maximum=float(values[high]),
+        mean=float(sample @ weights),
+        percentiles=_percentiles(sample, weights),
+        minimum_place=place(low),
+        maximum_place=place(high),
+        histogram=_histogram(sample, weights),
+    )
+
+
+def _at_vertices(values: NDArray, areas: NDArray, triangles: NDArray, count: int) -> NDArray:
+    known = np.isfinite(values)
+    corners = triangles[known].ravel()
+    weights = np.repeat(areas[known], 3)
+    total = np.bincount(corners, weights, count)
+    summed = np.bincount(corners, weights * np.repeat(values[known], 3), count)
+    return np.divide(summed, total, out=np.full(count, np.nan), where=total > 0)
+
+
+def _percentiles(sample: NDArray, weights: NDArray) -> dict[int, float]:
+    order = np.argsort(sample, kind="stable")
+    reached = np.cumsum(weights[order])
+    last = len(sample) - 1
+    return {p: float(sample[order[min(np.searchsorted(reached, p / 100), last)]]) for p in (1, 5, 50, 95, 99)}
+
+
+def _histogram(sample: NDArray, weights: NDArray) -> Histogram:
+    low, high = float(sample.min()), float(sample.max())
+    if not high > low:  # one value: a bin around it
+        high = low + max(abs(low), 1.0) * 1e-6
+    shares, edges = np.histogram(sample, bins=_BINS, range=(low, high), weights=weights)
+    return Histogram(shares, edges)
