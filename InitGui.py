@@ -23,6 +23,13 @@ class ThickenWorkbench(Gui.Workbench):
         self.appendToolbar("Thicken", names)
         self.appendMenu("Thicken", names)
 
+    def ContextMenu(self, recipient):
+        from ThickenWorkbench.gui import commands
+
+        names = commands.usable()
+        if names:
+            self.appendContextMenu("Thicken", names)
+
     def GetClassName(self):
         return "Gui::PythonWorkbench"
 

@@ -33,19 +33,19 @@ def key(surface: tuple[ArrayLike, ArrayLike], arguments: dict[str, Any]) -> str:
 
 
 def offer(surface: tuple[ArrayLike, ArrayLike], arguments: dict[str, Any], solid: ThickenedMesh) -> None:
-    """Keep `solid` until it is taken once, or withdraw() is called."""
+    """Keep `solid` until withdraw() is called."""
     _offered[key(surface, arguments)] = solid
 
 
 def withdraw() -> None:
-    """Forget what nobody took."""
+    """Forget all that was offered, and free the memory."""
     _offered.clear()
 
 
 def thicken(surface: tuple[ArrayLike, ArrayLike], arguments: dict[str, Any], **limits: Any) -> ThickenedMesh:
     """As thicken_mesh(), or the solid that was offered for the same surface and arguments."""
     if _offered:
-        solid = _offered.pop(key(surface, arguments), None)
+        solid = _offered.get(key(surface, arguments))
         if solid is not None:
             return solid
     return thicken_mesh(*surface, **arguments, **limits)

@@ -12,8 +12,10 @@ from typing import Any
 ICONS = Path(__file__).resolve().parent.parent / "icons"
 
 
-class ThickenViewProvider:
-    """Proxy of the feature's view; keeps no state that would be saved."""
+class FeatureViewProvider:
+    """What the views of all features have in common; keeps no state that would be saved."""
+
+    icon = "thicken.svg"
 
     def __init__(self, view: Any) -> None:
         view.Proxy = self
@@ -22,7 +24,7 @@ class ThickenViewProvider:
         self.Object = view.Object
 
     def getIcon(self) -> str:
-        return str(ICONS / "thicken.svg")
+        return str(ICONS / self.icon)
 
     def claimChildren(self) -> list[Any]:
         source = getattr(getattr(self, "Object", None), "Source", None)
@@ -48,6 +50,87 @@ class ThickenViewProvider:
         return None
 
 
+class ThickenViewProvider(FeatureViewProvider):
+    """Shows the regions of a solid in colours of their own; a double click opens the task panel."""
+
+    def attach(self, view: Any) -> None:
+        super().attach(view)
+        if "RegionColors" not in view.PropertiesList:
+            view.addProperty(
+                "App::PropertyBool",
+                "RegionColors",
+                "Object Style",
+                "Whether the original surface, the shell and the wall have colours of their own",
+            )
+            view.RegionColors = True
+
+    def updateData(self, obj: Any, name: str) -> None:
+        if name in ("Mesh", "RegionRuns") and obj.ViewObject is not None:
+            self.paint(obj.ViewObject)
+
+    def onChanged(self, view: Any, name: str) -> None:
+        if name in ("RegionColors", "ShapeColor", "ShapeMaterial", "ShapeAppearance", "Coloring"):
+            from .gui.region_colours import paint_later
+
+            paint_later(view)  # FreeCAD applies its own colour after this call
+
+    def finishRestoring(self) -> None:
+        self.paint(self.Object.ViewObject)
+
+    def paint(self, view: Any) -> None:
+        """Colour the regions. FreeCAD sets its own colour whenever one of its properties changes."""
+        from .gui.region_colours import paint
+
+        paint(view, getattr(view, "RegionColors", True))
+
+    def doubleClicked(self, view: Any) -> bool:
+        view.Document.setEdit(view.Object.Name, 0)
+        return True
+
+    def setEdit(self, view: Any, mode: int = 0) -> bool | None:
+        """Open the task panel of the Thicken command for this feature."""
+        if mode != 0:
+            return None  # moving, colours: FreeCAD's own
+        from .gui.editing import edit
+
+        return edit(view.Object)
+
+    def unsetEdit(self, view: Any, mode: int = 0) -> bool | None:
+        if mode != 0:
+            return None
+        from .gui.editing import end
+
+        end()
+        return True
+
+
+class SolidViewProvider(FeatureViewProvider):
+    """Of a Part solid."""
+
+    icon = "part_solid.svg"
+
+
+class RepairViewProvider(FeatureViewProvider):
+    """Of a mended surface."""
+
+    icon = "repair_surface.svg"
+
+
+class DrainViewProvider(FeatureViewProvider):
+    """Of a solid with drain holes."""
+
+    icon = "drain_holes.svg"
+
+
+# By the class of the feature's own proxy.
+_PROVIDERS = {
+    "ThickenFeature": ThickenViewProvider,
+    "PartSolidFeature": SolidViewProvider,
+    "RepairFeature": RepairViewProvider,
+    "DrainHolesFeature": DrainViewProvider,
+}
+
+
 def attach_view_provider(obj: Any) -> None:
     """Give `obj` its view provider unless it has one.
 
@@ -56,7 +139,7 @@ def attach_view_provider(obj: Any) -> None:
     afterwards and stays.
     """
     view = obj.ViewObject
-    if view is None or isinstance(view.Proxy, ThickenViewProvider):
+    if view is None or isinstance(view.Proxy, FeatureViewProvider):
         return
-    ThickenViewProvider(view)
+    _PROVIDERS.get(type(obj.Proxy).__name__, FeatureViewProvider)(view)
     view.Visibility = True

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The commands of the workbench. They only compose calls that a recorded macro can repeat."""
+"""The commands of the workbench. What they do to documents are lines that a recorded macro can repeat.
+
+Panels are imported when a command runs: activating the workbench must cost next to nothing.
+"""
 
 from __future__ import annotations
 
@@ -8,67 +11,195 @@ from typing import Any
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from .. import build
 from ..view_provider import ICONS
+from . import chosen
 
 QT_TRANSLATE_NOOP = App.Qt.QT_TRANSLATE_NOOP
-translate = App.Qt.translate
-
-MAKE = "Thicken_Make"
 
 
-class MakeCommand:
-    """Thickens the selected meshes by a thickness that suits their size; it is a property afterwards."""
+class Command:
+    """What all have in common. The texts are marked for translation under the command's name."""
+
+    name = ""
+    icon = ""
+    menu = ""
+    tip = ""
+    help = ""
 
     def GetResources(self) -> dict[str, str]:
         return {
-            "Pixmap": str(ICONS / "thicken.svg"),
-            "MenuText": QT_TRANSLATE_NOOP("Thicken_Make", "Thicken"),
-            "ToolTip": QT_TRANSLATE_NOOP(
-                "Thicken_Make",
-                "Turn the selected open mesh into a printable solid, keeping every triangle of it",
-            ),
+            "Pixmap": str(ICONS / self.icon),
+            "MenuText": self.menu,
+            "ToolTip": self.tip,
+            "StatusTip": self.tip,
+            "WhatsThis": self.help,
         }
 
     def IsActive(self) -> bool:
-        return App.ActiveDocument is not None and bool(_selected_meshes())
+        return App.ActiveDocument is not None and bool(self.targets()) and not Gui.Control.activeDialog()
+
+    def targets(self) -> list[Any]:
+        """What of the selection the command can use."""
+        raise NotImplementedError
 
     def Activated(self) -> None:
-        doc = App.ActiveDocument
-        doc.openTransaction("Thicken")
-        Gui.addModule("ThickenWorkbench")
-        made = []
-        for source in _selected_meshes():
-            thickness = build.suggested_thickness(source)
-            Gui.doCommand(
-                "thicken = ThickenWorkbench.make_thicken(App.ActiveDocument, "
-                f"App.ActiveDocument.getObject('{source.Name}'), thickness={thickness!r})"
-            )
-            made.append(doc.ActiveObject)
-        doc.commitTransaction()
-        _report_refusals(made)
+        raise NotImplementedError
 
 
-def _selected_meshes() -> list[Any]:
-    document = App.ActiveDocument
-    return [
-        obj
-        for obj in Gui.Selection.getSelection()
-        if obj.Document == document and obj.isDerivedFrom("Mesh::Feature")
-    ]
+class MakeCommand(Command):
+    name = "Thicken_Make"
+    icon = "thicken.svg"
+    menu = QT_TRANSLATE_NOOP("Thicken_Make", "Thicken …")
+    tip = QT_TRANSLATE_NOOP("Thicken_Make", "Turn the selected open surfaces into printable solids")
+    help = QT_TRANSLATE_NOOP(
+        "Thicken_Make",
+        "Select meshes, shapes or faces. A panel asks for the thickness and the side and previews the solid, "
+        "which keeps every triangle of the surface and follows it afterwards.",
+    )
+
+    def targets(self) -> list[Any]:
+        return chosen.surfaces()
+
+    def Activated(self) -> None:
+        from . import editing
+        from .thicken_panel import ThickenPanel
+
+        targets = self.targets()
+        editing.show(lambda: ThickenPanel(targets))
 
 
-def _report_refusals(features: list[Any]) -> None:
-    refused = [f"{feature.Label}: {feature.getStatusString()}" for feature in features if not feature.isValid()]
-    if refused:
-        from .qt import QtWidgets
+class CheckCommand(Command):
+    name = "Thicken_Check"
+    icon = "check_surface.svg"
+    menu = QT_TRANSLATE_NOOP("Thicken_Check", "Check Surface")
+    tip = QT_TRANSLATE_NOOP("Thicken_Check", "Find and mark everything that keeps a surface from being thickened")
+    help = QT_TRANSLATE_NOOP(
+        "Thicken_Check",
+        "Select a mesh or a shape. All defects are listed and marked in the view; a click on one goes there.",
+    )
 
-        QtWidgets.QMessageBox.warning(
-            Gui.getMainWindow(), translate("Thicken", "No valid solid"), "\n\n".join(refused)
-        )
+    def targets(self) -> list[Any]:
+        return chosen.surfaces()[:1]
+
+    def Activated(self) -> None:
+        from . import editing
+        from .check_panel import CheckPanel
+
+        (target,) = self.targets()
+        editing.show(lambda: CheckPanel(target))
+
+
+class RepairCommand(Command):
+    name = "Thicken_Repair"
+    icon = "repair_surface.svg"
+    menu = QT_TRANSLATE_NOOP("Thicken_Repair", "Repair Surface")
+    tip = QT_TRANSLATE_NOOP("Thicken_Repair", "Make a mended copy of the selected surface, and list every change")
+    help = QT_TRANSLATE_NOOP(
+        "Thicken_Repair",
+        "Select a mesh. The new object follows it without its defects; its properties list what was removed and added.",
+    )
+
+    def targets(self) -> list[Any]:
+        return [item for item in chosen.surfaces() if chosen.is_mesh(item.source)]
+
+    def Activated(self) -> None:
+        from .repairing import repair
+
+        repair([item.source for item in self.targets()])
+
+
+class MapCommand(Command):
+    name = "Thicken_Map"
+    icon = "thickness_map.svg"
+    menu = QT_TRANSLATE_NOOP("Thicken_Map", "Thickness Map")
+    tip = QT_TRANSLATE_NOOP("Thicken_Map", "Colour a thickened solid by its wall thickness or by its deviation")
+    help = QT_TRANSLATE_NOOP(
+        "Thicken_Map",
+        "Select a thickened solid. A panel shows the scale, the least and the largest value and a histogram.",
+    )
+
+    def targets(self) -> list[Any]:
+        return [feature for feature in chosen.features() if feature.Valid][:1]
+
+    def Activated(self) -> None:
+        from . import editing
+        from .map_panel import MapPanel
+
+        (target,) = self.targets()
+        editing.show(lambda: MapPanel(target))
+
+
+class DrainCommand(Command):
+    name = "Thicken_Drain"
+    icon = "drain_holes.svg"
+    menu = QT_TRANSLATE_NOOP("Thicken_Drain", "Drain Holes …")
+    tip = QT_TRANSLATE_NOOP("Thicken_Drain", "Let resin out of the cavities of a solid")
+    help = QT_TRANSLATE_NOOP(
+        "Thicken_Drain",
+        "Select a solid. Holes are placed at the lowest points of each cavity for a print direction, or where you click.",
+    )
+
+    def targets(self) -> list[Any]:
+        return [obj for obj in chosen.solids() if chosen.is_mesh(obj)][:1]
+
+    def Activated(self) -> None:
+        from . import editing
+        from .drain_panel import DrainPanel
+
+        (target,) = self.targets()
+        editing.show(lambda: DrainPanel(target))
+
+
+class ReportCommand(Command):
+    name = "Thicken_Report"
+    icon = "printability.svg"
+    menu = QT_TRANSLATE_NOOP("Thicken_Report", "Printability Report …")
+    tip = QT_TRANSLATE_NOOP("Thicken_Report", "Volume, thinnest wall, trapped resin and overhangs of a solid")
+    help = QT_TRANSLATE_NOOP(
+        "Thicken_Report",
+        "Select a solid. The facts are shown, and can be saved as a page with pictures or as JSON.",
+    )
+
+    def targets(self) -> list[Any]:
+        return chosen.solids()[:1]
+
+    def Activated(self) -> None:
+        from . import editing
+        from .report_panel import ReportPanel
+
+        (target,) = self.targets()
+        editing.show(lambda: ReportPanel(target))
+
+
+class ExportCommand(Command):
+    name = "Thicken_Export"
+    icon = "export.svg"
+    menu = QT_TRANSLATE_NOOP("Thicken_Export", "Export for Printing …")
+    tip = QT_TRANSLATE_NOOP("Thicken_Export", "Write a solid as STL or 3MF, read it again and judge it")
+    help = QT_TRANSLATE_NOOP(
+        "Thicken_Export",
+        "Select a solid. The file is written whole or not at all, in millimetres, and what is in it is proved valid.",
+    )
+
+    def targets(self) -> list[Any]:
+        return chosen.solids()[:1]
+
+    def Activated(self) -> None:
+        from .exporting import export
+
+        export(self.targets()[0])
+
+
+COMMANDS = [MakeCommand, CheckCommand, MapCommand]
 
 
 def register() -> list[str]:
     """Add the commands to FreeCAD and return their names."""
-    Gui.addCommand(MAKE, MakeCommand())
-    return [MAKE]
+    for command in COMMANDS:
+        Gui.addCommand(command.name, command())
+    return [command.name for command in COMMANDS]
+
+
+def usable() -> list[str]:
+    """The names of those that can do something with the selection, for a context menu."""
+    return [command.name for command in COMMANDS if command().IsActive()]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The files that FreeCAD executes at its start, the command, and the manifest."""
+"""The files that FreeCAD executes at its start, the commands, and the manifest."""
 
 import sys
 import types
@@ -10,7 +10,6 @@ from unittest import mock
 
 import ThickenWorkbench
 from thicken_case import DocumentCase
-from thicken_surfaces import plate
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -27,21 +26,13 @@ class FakeGui(types.ModuleType):
 
     def __init__(self):
         super().__init__("FreeCADGui")
-        self.workbenches, self.commands, self.macro, self.selected = [], {}, [], []
-        self.Selection = types.SimpleNamespace(getSelection=lambda: self.selected)
+        self.workbenches, self.commands = [], {}
 
     def addWorkbench(self, workbench):
         self.workbenches.append(workbench)
 
     def addCommand(self, name, command):
         self.commands[name] = command
-
-    def addModule(self, name):
-        self.macro.append(f"import {name}")
-
-    def doCommand(self, line):
-        self.macro.append(line)
-        exec("\n".join(self.macro), {"App": sys.modules["FreeCAD"]})
 
 
 def execute(name: str) -> None:
@@ -73,27 +64,19 @@ class Registration(DocumentCase):
         self.assertTrue(Path(workbench.Icon).is_file())
         self.assertEqual(self.gui.commands, {}, "commands belong to Initialize, not to FreeCAD's start")
 
-    def test_initialize_adds_the_command(self):
+    def test_initialize_adds_the_commands(self):
         workbench = self.workbench()
         workbench.Initialize()
-        self.assertEqual(workbench.toolbar, ("Thicken", ["Thicken_Make"]))
-        resources = self.gui.commands["Thicken_Make"].GetResources()
-        self.assertTrue(Path(resources["Pixmap"]).is_file())
-        self.assertTrue(resources["MenuText"] and resources["ToolTip"])
-
-    def test_command_makes_a_feature_that_a_macro_can_repeat(self):
-        self.workbench().Initialize()
-        command = self.gui.commands["Thicken_Make"]
-        self.assertFalse(command.IsActive())
-        source = self.add_source(plate())
-        self.gui.selected = [source]
-        self.assertTrue(command.IsActive())
-        command.Activated()
-        feature = self.doc.getObject("Thicken")
-        self.assert_solid(feature)
-        self.assertEqual(feature.Source, source)
-        self.assertEqual(self.gui.macro[0], "import ThickenWorkbench")
-        self.assertIn("make_thicken", self.gui.macro[1])
+        name, commands = workbench.toolbar
+        self.assertEqual(name, "Thicken")
+        self.assertEqual(workbench.menu, workbench.toolbar)
+        self.assertEqual(commands, list(self.gui.commands))
+        self.assertIn("Thicken_Make", commands)
+        for command in self.gui.commands.values():
+            resources = command.GetResources()
+            self.assertTrue(Path(resources["Pixmap"]).is_file())
+            for key in ("MenuText", "ToolTip", "StatusTip", "WhatsThis"):
+                self.assertTrue(resources[key])
 
     def test_manifest_agrees_with_the_package(self):
         tree = ElementTree.parse(ROOT / "package.xml").getroot()

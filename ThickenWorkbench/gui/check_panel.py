@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The Check Surface task panel: lists and marks every defect, and goes to the one that is clicked."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import numpy as np
+
+from .. import preferences
+from ..check_surface import check_surface
+from ..sources import bound_box
+from . import macro, messages
+from .camera import go_to, view_of
+from .chosen import Chosen
+from .defect_places import Place, places
+from .job import Job
+from .overlay import faces, lines, over_view, points
+from .qt import QtCore, QtWidgets, standard_buttons
+
+translate = App.Qt.translate
+
+# So much of the diagonal is shown around a defect.
+_AROUND = 0.06
+
+
+class CheckPanel:
+    """Shown by Gui.Control.showDialog(); changes nothing in the document."""
+
+    def __init__(self, item: Chosen) -> None:
+        self.item = item
+        self.defects: list[Any] | None = None  #: None until they are known
+        self._view = view_of(item.source.Document)
+        self._overlay = over_view(self._view)
+        self._least = _AROUND * bound_box(item.source).DiagonalLength
+        self._build()
+        Gui.Selection.clearSelection()
+        named = {name: value for name, value in item.named().items() if value is not None}
+        self._job: Job | None = Job([lambda _: check_surface(item.source, **named)], self._checked).start()
+
+    def getStandardButtons(self) -> Any:
+        return standard_buttons("Close")
+
+    def isAllowedAlterSelection(self) -> bool:
+        return True
+
+    def reject(self) -> bool:
+        if self._job is not None:
+            self._job.abandon()
+        self._overlay.remove()
+        return True
+
+    def _build(self) -> None:
+        self.form = QtWidgets.QWidget()
+        self.form.setObjectName("CheckPanel")
+        self.form.setWindowTitle(translate("Thicken", "Check Surface"))
+        column = QtWidgets.QVBoxLayout(self.form)
+        self.status = QtWidgets.QLabel(translate("Thicken", "Checking …"))
+        self.status.setObjectName("Status")
+        self.status.setWordWrap(True)
+        self.list = QtWidgets.QTreeWidget()
+        self.list.setObjectName("Defects")
+        self.list.setHeaderHidden(True)
+        self.list.setMinimumHeight(260)
+        self.list.itemClicked.connect(lambda row, _: self.go(row))
+        self.list.itemActivated.connect(lambda row, _: self.go(row))
+        self.sentence = QtWidgets.QLabel()
+        self.sentence.setObjectName("Sentence")
+        self.sentence.setWordWrap(True)
+        self.sentence.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
+        for widget in (self.status, self.list, self.sentence):
+            column.addWidget(widget)
+
+    def _checked(self, job: Job) -> None:
+        self._job = None
+        if job.error is not None:
+            self.status.setText(messages.sentences(job.error))
+            return
+        (self.defects,) = job.results
+        macro.record(f"defects = {macro.call('check_surface', self.item.source, **self.item.named())}")
+        label = self.item.source.Label
+        if not self.defects:
+            self.status.setText(translate("Thicken", "“{label}” can be thickened: it has no defect.").format(label=label))
+            self.list.setVisible(False)
+            return
+        count = sum(defect.count for defect in self.defects)
+        self.status.setText(
+            translate("Thicken", "“{label}” has {count} defects. Click one to go there.").format(label=label, count=count)
+        )
+        self._fill()
+        self._mark()
+
+    def _fill(self) -> None:
+        for defect in self.defects or []:
+            kind = QtWidgets.QTreeWidgetItem(self.list, [f"{defect.code} ({defect.count})"])
+            found = places(defect)
+            everything = np.concatenate([place.corners for place in found])
+            kind.setData(0, QtCore.Qt.UserRole, (defect.sentence, everything))
+            for place in found:
+                row = QtWidgets.QTreeWidgetItem(kind, [place.name])
+                row.setData(0, QtCore.Qt.UserRole, (defect.sentence, place.corners))
+            kind.setExpanded(True)
+
+    def go(self, row: Any) -> None:
+        """Look at the defects of a row, and say what is wrong with them."""
+        sentence, corners = row.data(0, QtCore.Qt.UserRole)
+        self.sentence.setText(sentence)
+        go_to(self._view, corners, self._least)
+        self._mark(Place("", np.asarray(corners)))
+
+    def _mark(self, chosen: Place | None = None) -> None:
+        """Mark all defects, and the chosen one with larger dots."""
+        colour = preferences.colour("ColorDefect")
+        nodes = []
+        for defect in self.defects or []:
+            if len(defect.triangles):
+                corners = np.asarray(defect.triangles, float)
+                nodes.append(faces(corners.reshape(-1, 3), np.arange(3 * len(corners)).reshape(-1, 3), colour))
+                nodes.append(lines(np.stack([corners, np.roll(corners, -1, 1)], 2).reshape(-1, 2, 3), colour, 1.5))
+            if len(defect.edges):
+                nodes.append(lines(defect.edges, colour))
+            if len(defect.vertices):
+                nodes.append(points(defect.vertices, colour))
+            nodes.append(points([tuple(defect.place)], colour))
+        if chosen is not None:
+            nodes.append(points(chosen.corners, colour, size=13.0))
+        self._overlay.show(*nodes)

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Opens task panels: one at a time, as FreeCAD has it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCAD as App
+import FreeCADGui as Gui
+
+from . import messages
+
+translate = App.Qt.translate
+
+_panel: Any = None
+
+
+def show(make_panel: Any) -> Any:
+    """Show the panel that `make_panel` returns, unless one is open; the user is told why not."""
+    global _panel
+    if Gui.Control.activeDialog():
+        messages.tell(
+            translate("Thicken", "A task is open"), translate("Thicken", "Close the open task panel first.")
+        )
+        return None
+    if not messages.extension_is_there():
+        return None
+    from ..sources import RefusedError
+
+    try:
+        _panel = make_panel()
+    except RefusedError as error:
+        messages.warn(translate("Thicken", "Thicken cannot start"), str(error))
+        return None
+    Gui.Control.showDialog(_panel)
+    return _panel
+
+
+def edit(feature: Any) -> bool:
+    """Edit a Thicken feature in its panel; False when it cannot be."""
+    from .surfaces import chosen_of
+    from .thicken_panel import ThickenPanel
+
+    if feature.Source is None:
+        messages.warn(feature.Label, translate("Thicken", "No surface is chosen. Set Source in the property editor."))
+        return False
+    return show(lambda: ThickenPanel([chosen_of(feature)], feature)) is not None
+
+
+def end() -> None:
+    """Close the panel of an edited feature when FreeCAD leaves its edit mode."""
+    global _panel
+    panel, _panel = _panel, None
+    if panel is not None and hasattr(panel, "leave"):
+        panel.leave()
+    if Gui.Control.activeDialog():
+        Gui.Control.closeDialog()
+
+
+def current() -> Any:
+    """The panel that was opened last."""
+    return _panel

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The scale of a thickness map with the histogram beside it, as a widget."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from .colour_scale import colours, ticks
+from .qt import QtCore, QtGui, QtWidgets
+
+_BAR = 22  # pixels
+_TEXT = 64
+_MARGIN = 10
+
+
+class Legend(QtWidgets.QWidget):
+    """From the lowest value below to the highest above; bars show the share of the area."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("Legend")
+        self.setMinimumHeight(240)
+        self._map: Any = None
+        self._low, self._high = 0.0, 1.0
+
+    def show_map(self, found: Any, low: float, high: float) -> None:
+        """Show a ThicknessMap in colours from `low` to `high`."""
+        self._map, self._low, self._high = found, low, high
+        self.update()
+
+    def paintEvent(self, event: Any) -> None:
+        if self._map is None:
+            return
+        painter = QtGui.QPainter(self)
+        painter.setRenderHint(QtGui.QPainter.Antialiasing)
+        self._draw_bar(painter)
+        self._draw_ticks(painter)
+        self._draw_histogram(painter)
+        painter.end()
+
+    def _y(self, value: float) -> float:
+        share = (value - self._low) / max(self._high - self._low, 1e-300)
+        return self.height() - _MARGIN - share * (self.height() - 2 * _MARGIN)
+
+    def _draw_bar(self, painter: Any) -> None:
+        gradient = QtGui.QLinearGradient(0, self._y(self._low), 0, self._y(self._high))
+        for k in range(11):
+            share = k / 10
+            gradient.setColorAt(share, _colour(colours([share], 0, 1)[0]))
+        painter.setPen(self.palette().color(QtGui.QPalette.WindowText))
+        painter.setBrush(gradient)
+        painter.drawRect(QtCore.QRectF(1, _MARGIN, _BAR, self.height() - 2 * _MARGIN))
+
+    def _draw_ticks(self, painter: Any) -> None:
+        painter.setPen(self.palette().color(QtGui.QPalette.WindowText))
+        for value in ticks(self._low, self._high):
+            y = self._y(value)
+            painter.drawLine(QtCore.QPointF(_BAR, y), QtCore.QPointF(_BAR + 5, y))
+            box = QtCore.QRectF(_BAR + 8, y - 10, _TEXT - 8, 20)
+            painter.drawText(box, QtCore.Qt.AlignVCenter | QtCore.Qt.AlignLeft, f"{value:.4g}")
+
+    def _draw_histogram(self, painter: Any) -> None:
+        shares, edges = self._map.histogram
+        most = max(float(shares.max()), 1e-300)
+        left = _BAR + _TEXT
+        width = self.width() - left - 4
+        painter.setPen(QtCore.Qt.NoPen)
+        for share, start, end in zip(shares, edges, edges[1:]):
+            painter.setBrush(_colour(colours([(start + end) / 2], self._low, self._high)[0]).darker(110))
+            top, bottom = self._y(end), self._y(start)
+            painter.drawRect(QtCore.QRectF(left, top, width * float(share) / most, max(bottom - top - 1, 1)))
+        painter.setPen(self.palette().color(QtGui.QPalette.Mid))
+        painter.drawLine(QtCore.QPointF(left, _MARGIN), QtCore.QPointF(left, self.height() - _MARGIN))
+
+
+def _colour(rgb: Any) -> Any:
+    return QtGui.QColor.fromRgbF(*(float(part) for part in rgb))

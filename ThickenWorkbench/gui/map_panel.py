@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The Thickness Map task panel: colours a solid by a measured length, with scale and histogram."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCAD as App
+import FreeCADGui as Gui
+
+from ..thickness_map import thickness_map
+from . import macro, messages
+from .camera import go_to, view_of
+from .colour_scale import colours
+from .job import Job
+from .legend import Legend
+from .qt import QtWidgets, standard_buttons
+from .region_colours import paint_points
+
+translate = App.Qt.translate
+
+WHATS = ["wall", "deviation"]
+
+# So much of the diagonal is shown around a place.
+_AROUND = 0.1
+
+
+class MapPanel:
+    """Shown by Gui.Control.showDialog(); changes nothing in the document."""
+
+    def __init__(self, feature: Any) -> None:
+        self.feature = feature
+        self.map: Any = None  #: the ThicknessMap that is shown
+        self._job: Job | None = None
+        self._view = view_of(feature.Document)
+        self._build()
+        Gui.Selection.clearSelection()
+        self._measure()
+
+    def getStandardButtons(self) -> Any:
+        return standard_buttons("Close")
+
+    def isAllowedAlterSelection(self) -> bool:
+        return True
+
+    def reject(self) -> bool:
+        if self._job is not None:
+            self._job.abandon()
+        self._plain()
+        return True
+
+    def _build(self) -> None:
+        self.form = QtWidgets.QWidget()
+        self.form.setObjectName("MapPanel")
+        self.form.setWindowTitle(translate("Thicken", "Thickness Map"))
+        column = QtWidgets.QVBoxLayout(self.form)
+        self.what = QtWidgets.QComboBox()
+        self.what.setObjectName("What")
+        self.what.addItems([
+            translate("Thicken", "Wall thickness (mm)"),
+            translate("Thicken", "Deviation of the shell from the thickness (mm)"),
+        ])  # fmt: skip
+        self.what.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
+        self.what.currentIndexChanged.connect(lambda _: self._measure())
+        self.facts = QtWidgets.QLabel()
+        self.facts.setObjectName("Facts")
+        self.facts.setWordWrap(True)
+        self.legend = Legend()
+        self.to_least = self._button("ToLeast", translate("Thicken", "Go to the least"), lambda: self.map.minimum_place)
+        self.to_most = self._button("ToMost", translate("Thicken", "Go to the largest"), lambda: self.map.maximum_place)
+        line = QtWidgets.QHBoxLayout()
+        line.addWidget(self.to_least)
+        line.addWidget(self.to_most)
+        column.addWidget(self.what)
+        column.addWidget(self.facts)
+        column.addWidget(self.legend, 1)
+        column.addLayout(line)
+
+    def _button(self, name: str, text: str, place: Any) -> Any:
+        button = QtWidgets.QPushButton(text)
+        button.setObjectName(name)
+        button.setEnabled(False)
+        button.clicked.connect(lambda: self._go(place()))
+        return button
+
+    def _measure(self) -> None:
+        if self._job is not None:
+            self._job.abandon()
+        what = WHATS[self.what.currentIndex()]
+        self.map = None
+        self.facts.setText(translate("Thicken", "Measuring …"))
+        self._job = Job([lambda _: thickness_map(self.feature, what=what)], self._measured).start()
+
+    def _measured(self, job: Job) -> None:
+        self._job = None
+        if job.error is not None:
+            self.facts.setText(messages.sentences(job.error))
+            self._plain()
+            return
+        (self.map,) = job.results
+        macro.record(f"thickness = {macro.call('thickness_map', self.feature, what=self.map.what)}")
+        low, high = _ends(self.map)
+        paint_points(self.feature.ViewObject, colours(self.map.vertex_values, low, high))
+        self.legend.show_map(self.map, low, high)
+        self.facts.setText(
+            translate("Thicken", "Least {least}, mean {mean}, largest {largest} mm. 98 % of the area: {low} to {high} mm.").format(
+                least=f"{self.map.minimum:.4g}",
+                mean=f"{self.map.mean:.4g}",
+                largest=f"{self.map.maximum:.4g}",
+                low=f"{self.map.percentiles[1]:.4g}",
+                high=f"{self.map.percentiles[99]:.4g}",
+            )
+        )
+        for button in (self.to_least, self.to_most):
+            button.setEnabled(True)
+
+    def _go(self, place: Any) -> None:
+        go_to(self._view, tuple(place), _AROUND * self.feature.Mesh.BoundBox.DiagonalLength)
+
+    def _plain(self) -> None:
+        """The colours that the feature has otherwise."""
+        view = self.feature.ViewObject
+        if view is not None and hasattr(view.Proxy, "paint"):
+            view.Proxy.paint(view)
+
+
+def _ends(found: Any) -> tuple[float, float]:
+    """Where the scale begins and ends: a deviation has 0 in its middle."""
+    if found.what == "deviation":
+        most = max(abs(found.minimum), abs(found.maximum))
+        return -most, most
+    return found.minimum, found.maximum

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a user is told: sentences of errors, and message boxes."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCAD as App
+import FreeCADGui as Gui
+
+from .. import native
+from .qt import QtWidgets
+
+translate = App.Qt.translate
+
+
+def sentences(error: BaseException) -> str:
+    """All that an error says, as whole sentences."""
+    if isinstance(error, MemoryError):
+        return translate("Thicken", "There is not enough memory. Simplify the mesh, or choose a coarser quality.")
+    parts = [defect["sentence"] for defect in getattr(error, "defects", ())]
+    text = str(error) or type(error).__name__
+    if not parts or not text.startswith(parts[0]):
+        parts.insert(0, text)
+    return " ".join(part[:1].upper() + part[1:].rstrip(".") + "." for part in parts)
+
+
+def was_cancelled(error: BaseException | None) -> bool:
+    return getattr(error, "code", None) == "cancelled"
+
+
+def warn(title: str, text: str) -> None:
+    QtWidgets.QMessageBox.warning(Gui.getMainWindow(), title, text)
+
+
+def tell(title: str, text: str) -> None:
+    QtWidgets.QMessageBox.information(Gui.getMainWindow(), title, text)
+
+
+def extension_is_there() -> bool:
+    """Whether the library can be used; otherwise the user is told what is missing and what to do."""
+    try:
+        native.load()
+    except ImportError as error:
+        warn(translate("Thicken", "Thicken cannot compute"), str(error))
+        return False
+    return True
+
+
+def numbers(solid: Any) -> str:
+    """One line about a solid."""
+    report = solid.report
+    return translate("Thicken", "{volume} mL, thinnest wall {wall} mm").format(
+        volume=f"{report['output']['volume_ml']:.3g}", wall=f"{report['thinnest_wall']['mm']:.3g}"
+    )

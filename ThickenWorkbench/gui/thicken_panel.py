@@ -1,0 +1,314 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The Thicken task panel: makes features, or edits one.
+
+Nothing is written to the document before OK. Then the solids are computed in another thread, and only
+when all of them are there, lines of Python that a macro can repeat make the features; the recompute
+takes the solids that are there already. So a cancelled run leaves no trace, and undo is one step.
+"""
+
+from __future__ import annotations
+
+from contextlib import suppress
+from typing import Any, Callable
+
+import FreeCAD as App
+import FreeCADGui as Gui
+
+from .. import build, params, precomputed, prediction, preferences
+from ..arrays import ThickenedMesh, thicken_mesh
+from ..sources import DEFAULT_DEFLECTION
+from . import macro, messages
+from .chosen import Chosen, is_shape
+from .job import Job
+from .preview import Preview
+from .qt import standard_buttons
+from .side_arrow import SideArrow
+from .surfaces import arguments_of, surface_of
+from .thicken_form import OUTPUTS, ThickenForm
+
+translate = App.Qt.translate
+
+_NAMES = {"thickness": "Thickness", "side": "Side", "method": "Method", "smooth": "Smooth", "repair": "Repair",
+          "cell": "Cell", "resolution": "Resolution", "tolerance": "Tolerance", "deflection": "Deflection"}  # fmt: skip
+
+
+class ThickenPanel:
+    """Shown by Gui.Control.showDialog(). With `feature`, that one is edited."""
+
+    def __init__(self, chosen: list[Chosen], feature: Any = None) -> None:
+        self.chosen, self.feature = chosen, feature
+        self.document = chosen[0].source.Document
+        of_shape = any(is_shape(item.source) for item in chosen)
+        self._read_surfaces(DEFAULT_DEFLECTION if feature is None else feature.Deflection.Value)
+        self._job: Job | None = None
+        self._closed = False
+        start = build.suggested_thickness(chosen[0].source) if feature is None else feature.Thickness.Value
+        self.form_parts = ThickenForm(self._title(), start, of_shape, self._edited)
+        self.form = self.form_parts.widget
+        self._show_start()
+        self._open_transaction()
+        self._looks = _Looks([feature] if feature is not None else [], [item.source for item in chosen])
+        Gui.Selection.clearSelection()  # its colour would hide those of the preview
+        self._arrow = SideArrow(chosen[0].source, *self._surfaces[0], self.form_parts.flip_side)
+        self._preview = Preview([item.source for item in chosen], self._previewed)
+        self.form_parts.stop.clicked.connect(self._stop)
+        self._edited()
+
+    # --- what FreeCAD calls ---
+
+    def getStandardButtons(self) -> Any:
+        return standard_buttons("Ok", "Cancel")
+
+    def isAllowedAlterSelection(self) -> bool:
+        return True
+
+    def accept(self) -> bool:
+        """Compute; the panel closes itself once the features are made."""
+        if self._job is None and self._inputs_make_sense():
+            self._preview.cancel()
+            self._compute()
+        return False
+
+    def reject(self) -> bool:
+        self._close()
+        return True
+
+    def leave(self) -> None:
+        """FreeCAD has ended the edit mode by itself."""
+        self._close()
+
+    # --- before OK ---
+
+    def _read_surfaces(self, deflection: float) -> None:
+        self._deflection = deflection
+        self._surfaces = [surface_of(item, deflection) for item in self.chosen]
+        self._triangles = sum(len(surface[1]) for surface in self._surfaces)
+
+    def _title(self) -> str:
+        names = ", ".join(f"“{item.source.Label}”" for item in self.chosen[:3])
+        more = "" if len(self.chosen) <= 3 else " …"
+        count = translate("Thicken", "{count} triangles").format(count=f"{self._triangles:,}")
+        return f"{names}{more}: {count}"
+
+    def _show_start(self) -> None:
+        if self.feature is not None:
+            self.form_parts.set_inputs(_inputs_of(self.feature))
+            self.form_parts.output.setEnabled(False)  # a solid of Part is an object of its own
+            return
+        self.form_parts._quiet = True
+        self.form_parts.side.setCurrentIndex(preferences.get("Side"))
+        self.form_parts.output.setCurrentIndex(preferences.get("Output"))
+        self.form_parts._quiet = False
+
+    def _open_transaction(self) -> None:
+        """So that Cancel takes back what an expression did, which FreeCAD's own field sets at once."""
+        if self.feature is not None:
+            self.document.openTransaction(translate("Thicken", "Edit thickening"))
+            self._bound = self.feature
+        else:
+            self.document.openTransaction(translate("Thicken", "Thicken"))
+            self._bound = self.document.addObject("App::FeaturePython", "ThickenInputs")
+            self._bound.addProperty("App::PropertyLength", "Thickness")
+            self._bound.Thickness = self.form_parts.inputs()["thickness"]
+            self._bound.ViewObject.ShowInTree = False
+        self._expression = _expression_of(self._bound)
+        Gui.ExpressionBinding(self.form_parts.thickness).bind(self._bound, "Thickness")
+
+    def _edited(self) -> None:
+        parts = self.form_parts
+        inputs = parts.inputs()
+        if inputs["deflection"] and inputs["deflection"] != self._deflection:
+            self._read_surfaces(inputs["deflection"])
+        seconds, memory = prediction.forecast(self._triangles, inputs["side"]).sentence()
+        parts.forecast.setText(
+            translate("Thicken", "OK will take about {seconds} and {memory} of memory.").format(
+                seconds=seconds, memory=memory
+            )
+        )
+        self._arrow.show(inputs["side"], inputs["thickness"])
+        self._preview.cancel()
+        if not parts.preview.isChecked():
+            self._preview.hide()
+            parts.tell("")
+        elif self._inputs_make_sense():
+            if self._triangles > preferences.get("PreviewTriangles"):
+                parts.tell(translate("Thicken", "Too many triangles for a preview."))
+                return
+            parts.tell(translate("Thicken", "Preview: computing …"))
+            self._preview.request(self._runs())
+        else:
+            self._preview.hide()
+
+    def _inputs_make_sense(self) -> bool:
+        inputs = self.form_parts.inputs()
+        if inputs["deflection"] is not None and not inputs["deflection"] > 0:
+            self.form_parts.tell(translate("Thicken", "Set a deflection above 0 mm."), bad=True)
+            return False
+        if inputs["thickness"] > 0:
+            return True
+        self.form_parts.tell(translate("Thicken", "Set a thickness above 0 mm."), bad=True)
+        return False
+
+    def _runs(self) -> list[tuple[Any, dict[str, Any]]]:
+        arguments = arguments_of(self.form_parts.inputs())
+        return [(surface, arguments) for surface in self._surfaces]
+
+    def _previewed(self, solids: list[ThickenedMesh], error: BaseException | None) -> None:
+        if error is not None:
+            self.form_parts.tell(messages.sentences(error), bad=True)
+            return
+        self._learn(solids)
+        lines = [translate("Thicken", "Preview: {numbers}.").format(numbers=messages.numbers(s)) for s in solids]
+        lines += [warning[:1].upper() + warning[1:] + "." for s in solids for warning in s.report["warnings"]]
+        self.form_parts.tell("\n".join(lines))
+
+    def _learn(self, solids: list[ThickenedMesh]) -> None:
+        side = self.form_parts.inputs()["side"]
+        for surface, solid in zip(self._surfaces, solids):
+            prediction.learn(len(surface[1]), side, solid.report["seconds"]["total"])
+
+    # --- after OK ---
+
+    def _compute(self) -> None:
+        def step(surface: Any, arguments: dict[str, Any]) -> Callable[[Any], ThickenedMesh]:
+            return lambda context: thicken_mesh(*surface, **arguments, **limits, context=context)
+
+        limits = build.limits()
+        self.form_parts.show_running(True)
+        self.form_parts.tell(translate("Thicken", "Computing …"))
+        self._job = Job([step(*run) for run in self._runs()], self._computed, self._progressed).start()
+
+    def _progressed(self, share: float, stage: str) -> None:
+        self.form_parts.progress.setValue(int(1000 * share))
+        self.form_parts.progress.setFormat(f"{stage}: %p %")
+
+    def _stop(self) -> None:
+        if self._job is not None:
+            self._job.cancel()
+            self.form_parts.tell(translate("Thicken", "Stopping …"))
+
+    def _computed(self, job: Job) -> None:
+        self._job = None
+        self.form_parts.show_running(False)
+        if job.cancelled or messages.was_cancelled(job.error):
+            self.form_parts.tell(translate("Thicken", "Stopped. The document is as it was."))
+        elif job.error is not None:
+            self.form_parts.tell(messages.sentences(job.error), bad=True)
+        else:
+            self._learn(job.results)
+            for run, solid in zip(self._runs(), job.results):
+                precomputed.offer(*run, solid)
+            try:
+                self._commit()
+            finally:
+                precomputed.withdraw()
+
+    def _commit(self) -> None:
+        """Make the features by lines that a macro can repeat, as one step of undo."""
+        lines = self._edit_lines() if self.feature is not None else self._make_lines()
+        self._close()
+        self.document.openTransaction(translate("Thicken", "Thicken"))
+        for line in lines:
+            macro.run(line)
+        self.document.commitTransaction()
+        if Gui.Control.activeDialog():
+            Gui.Control.closeDialog()
+
+    def _make_lines(self) -> list[str]:
+        inputs = self.form_parts.inputs()
+        inputs["thickness"] = _length(inputs["thickness"])
+        given = {name: value for name, value in inputs.items() if value is not None and value is not False}
+        if self.form_parts.output_word() != OUTPUTS[0]:
+            given["output"] = self.form_parts.output_word()
+        lines = []
+        for item in self.chosen:
+            made = macro.call("make_thicken", macro.Text(macro.DOCUMENT), item.source, **item.named(), **given)
+            lines.append(f"thicken = {made}")
+            if self.form_parts.expression():
+                lines.append(f"thicken.setExpression('Thickness', {self.form_parts.expression()!r})")
+                lines.append(f"{macro.DOCUMENT}.recompute()")
+        return lines
+
+    def _edit_lines(self) -> list[str]:
+        reference = macro.reference(self.feature)
+        lines = []
+        before, after = _inputs_of(self.feature), self.form_parts.inputs()
+        expression = self.form_parts.expression()
+        if expression != self._expression:
+            lines.append(f"{reference}.setExpression('Thickness', {expression or None!r})")
+        for word, value in _changes(before, after):
+            if word != "thickness" or not expression:
+                lines.append(f"{reference}.{_NAMES.get(word, word)} = {value!r}")
+        return [*lines, f"{macro.DOCUMENT}.recompute()"]
+
+    def _close(self) -> None:
+        """Leave nothing behind: neither in the view nor in the document."""
+        if self._closed:
+            return
+        self._closed = True
+        if self._job is not None:
+            self._job.abandon()
+        self._preview.remove()
+        self._arrow.remove()
+        self._looks.restore()
+        if self.feature is None:
+            with suppress(ReferenceError, RuntimeError):
+                self.document.removeObject(self._bound.Name)
+        self.document.abortTransaction()
+        if self.feature is not None and Gui.getDocument(self.document.Name).getInEdit():
+            Gui.getDocument(self.document.Name).resetEdit()
+
+
+class _Looks:
+    """How objects look for as long as the panel is open: the solid is seen through the surface."""
+
+    _CLEAR = 50  # per cent
+
+    def __init__(self, hide: list[Any], show: list[Any]) -> None:
+        self._before = [(v, v.Visibility, v.Transparency) for v in (obj.ViewObject for obj in [*hide, *show])]
+        for obj in hide:
+            obj.ViewObject.Visibility = False
+        for obj in show:
+            obj.ViewObject.Visibility = True
+            obj.ViewObject.Transparency = self._CLEAR
+
+    def restore(self) -> None:
+        for view, visible, transparency in self._before:
+            with suppress(ReferenceError, RuntimeError):
+                view.Visibility, view.Transparency = visible, transparency
+
+
+def _length(value: float) -> str:
+    return f"{value:.9g} mm"
+
+
+def _expression_of(obj: Any) -> str:
+    return dict((path, text) for path, text, *_ in obj.ExpressionEngine).get("Thickness", "")
+
+
+def _inputs_of(feature: Any) -> dict[str, Any]:
+    """The inputs of a feature, as ThickenForm.inputs() has them."""
+    found = params.arguments(feature)
+    found.pop("precision")
+    deflection = feature.Deflection.Value if is_shape(feature.Source) else None
+    return {"smooth": None, **found, "deflection": deflection}
+
+
+def _changes(before: dict[str, Any], after: dict[str, Any]) -> list[tuple[str, Any]]:
+    """Properties to set, as name or word and value."""
+    changes: list[tuple[str, Any]] = []
+    quality = next((word for word in ("cell", "resolution", "tolerance") if word in after), None)
+    if quality != next((word for word in ("cell", "resolution", "tolerance") if word in before), None):
+        changes.append(("Quality", quality.capitalize() if quality else "Automatic"))
+    for word, value in after.items():
+        if before.get(word) == value:
+            continue
+        if word in ("side", "method"):
+            changes.append((word, str(value).capitalize()))
+        elif word in ("thickness", "cell", "tolerance", "deflection"):
+            changes.append((word, _length(value)))
+        elif word == "smooth":
+            changes.append((word, -1 if value is None else value))
+        else:
+            changes.append((word, value))
+    return changes

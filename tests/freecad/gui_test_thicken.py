@@ -1,0 +1,263 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The Thicken command and its task panel."""
+
+import time
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import Part
+
+from ThickenWorkbench import preferences
+from gui_case import GuiCase, click, type_text, wait_until
+from thicken_surfaces import fin, plate, saddle
+
+
+class Panel(GuiCase):
+    def open(self, *objects):
+        self.select(*objects)
+        return self.run_command("Thicken_Make")
+
+    def wait_preview(self, panel):
+        wait_until(lambda: not panel._preview.busy(), "the preview is there")
+
+    def ok(self):
+        self.press("Ok")
+        self.wait_closed()
+
+    def test_a_click_makes_a_solid(self):
+        source = self.add_mesh(saddle())
+        panel = self.open(source)
+        self.wait_preview(panel)
+        self.assertIn("mL", self.child(panel, "Status").text())
+        self.assertIn("about", self.child(panel, "Forecast").text())
+        self.picture("thicken-panel")
+        self.ok()
+        feature = self.doc.getObject("Thicken")
+        self.assertTrue(feature.Valid, feature.getStatusString())
+        self.assertTrue(feature.ViewObject.Visibility)
+        self.assertFalse(source.ViewObject.Visibility)
+        self.assertEqual(source.ViewObject.Transparency, 0)
+
+    def test_thickness_is_typed_with_a_unit(self):
+        panel = self.open(self.add_mesh(plate()))
+        type_text(self.child(panel, "Thickness"), "0.05 in")
+        self.assertAlmostEqual(panel.form_parts.inputs()["thickness"], 1.27)
+        self.ok()
+        feature = self.doc.getObject("Thicken")
+        self.assertAlmostEqual(feature.Thickness.Value, 1.27)
+        self.assertAlmostEqual(feature.Volume.Value, 20 * 20 * 1.27, delta=1e-3)
+
+    def test_preview_follows_the_edits(self):
+        panel = self.open(self.add_mesh(plate()))
+        type_text(self.child(panel, "Thickness"), "1 mm")
+        self.wait_preview(panel)
+        first = self.child(panel, "Status").text()
+        self.assertIn("0.4 mL", first)
+        type_text(self.child(panel, "Thickness"), "2 mm")
+        self.wait_preview(panel)
+        self.assertIn("0.8 mL", self.child(panel, "Status").text())
+        self.assertEqual([obj.Name for obj in self.doc.Objects if obj.isDerivedFrom("Mesh::Feature")], ["Scan"])
+
+    def test_nothing_is_previewed_for_no_thickness(self):
+        panel = self.open(self.add_mesh(plate()))
+        type_text(self.child(panel, "Thickness"), "0 mm")
+        self.assertIn("above 0", self.child(panel, "Status").text())
+        self.press("Ok")
+        self.assertTrue(Gui.Control.activeDialog())
+        self.assertFalse(panel._preview.busy())
+
+    def test_side_is_flipped_by_button_and_by_a_click_on_the_arrow(self):
+        panel = self.open(self.add_mesh(plate()))
+        self.wait_preview(panel)
+        self.assertEqual(panel.form_parts.inputs()["side"], "negative")
+        click(self.child(panel, "Flip"))
+        self.assertEqual(panel.form_parts.inputs()["side"], "positive")
+        self.wait_preview(panel)
+        self.picture("arrow-positive")
+        self.click_view(panel._arrow.middle_on_screen())
+        self.assertEqual(panel.form_parts.inputs()["side"], "negative")
+        self.click_view(panel._arrow.middle_on_screen())
+        self.ok()
+        self.assertEqual(self.doc.getObject("Thicken").Side, "Positive")
+        self.assertAlmostEqual(self.doc.getObject("Thicken").Mesh.BoundBox.ZMin, 0)
+
+    def test_thickness_by_an_expression(self):
+        sheet = self.doc.addObject("Spreadsheet::Sheet", "Sizes")
+        sheet.set("A1", "1.5 mm")
+        source = self.add_mesh(plate())
+        panel = self.open(source)
+        panel._bound.setExpression("Thickness", "Sizes.A1 * 2")
+        self.doc.recompute([panel._bound])
+        wait_until(lambda: panel.form_parts.inputs()["thickness"] == 3, "the field follows the expression")
+        self.ok()
+        feature = self.doc.getObject("Thicken")
+        self.assertEqual(feature.Thickness.Value, 3)
+        self.assertEqual(feature.ExpressionEngine[0][:2], ("Thickness", "Sizes.A1 * 2"))
+        sheet.set("A1", "1 mm")
+        self.doc.recompute()
+        self.assertAlmostEqual(feature.Volume.Value, 20 * 20 * 2, delta=1e-3)
+
+    def test_several_objects_at_once(self):
+        sources = [self.add_mesh(plate(), "First"), self.add_mesh(saddle(), "Second")]
+        panel = self.open(*sources)
+        type_text(self.child(panel, "Thickness"), "1 mm")
+        self.wait_preview(panel)
+        self.ok()
+        made = [obj for obj in self.doc.Objects if hasattr(obj, "ThinnestWall")]
+        self.assertEqual([obj.Source for obj in made], sources)
+        self.assertTrue(all(obj.Valid for obj in made))
+        self.doc.undo()
+        self.assertEqual(self.doc.Objects, sources)
+
+    def test_faces_of_a_shape_become_a_part_solid(self):
+        box = self.doc.addObject("Part::Feature", "Box")
+        box.Shape = Part.makeBox(10, 10, 10)
+        self.doc.recompute()
+        self.look()
+        Gui.Selection.clearSelection()
+        Gui.Selection.addSelection(box, "Face6")
+        panel = self.run_command("Thicken_Make")
+        type_text(self.child(panel, "Thickness"), "1 mm")
+        self.child(panel, "Output").setCurrentIndex(1)
+        self.wait_preview(panel)
+        self.ok()
+        feature = self.doc.getObject("Thicken")
+        self.assertAlmostEqual(feature.Volume.Value, 100, delta=1e-3)
+        (solid,) = [obj for obj in self.doc.Objects if obj.isDerivedFrom("Part::Feature") and obj != box]
+        self.assertTrue(solid.Shape.isValid())
+        self.assertAlmostEqual(solid.Shape.Volume, 100, delta=1e-3)
+        self.assertTrue(solid.ViewObject.Visibility)
+        self.assertFalse(feature.ViewObject.Visibility)
+        self.picture("part-solid")
+
+    def test_refusal_is_told_in_the_panel(self):
+        panel = self.open(self.add_mesh(fin()))
+        self.press("Ok")
+        wait_until(lambda: panel._job is None, "the run has ended")
+        self.assertIn("shared by 3 triangles", self.child(panel, "Status").text())
+        self.assertTrue(Gui.Control.activeDialog())
+        self.picture("refused")
+        self.press("Cancel")
+        self.wait_closed()
+        self.assertEqual([obj.Name for obj in self.doc.Objects], ["Scan"])
+
+
+class Stop(GuiCase):
+    def long_run(self):
+        source = self.add_mesh(plate(n=600))
+        preferences.put("Preview", False)
+        self.addCleanup(preferences.put, "Preview", True)
+        self.select(source)
+        panel = self.run_command("Thicken_Make")
+        self.press("Ok")
+        wait_until(lambda: self.child(panel, "Progress").value() > 0, "it has begun")
+        self.assertTrue(self.child(panel, "Stop").isVisible())
+        return source, panel
+
+    def test_a_long_run_stops_within_a_second(self):
+        source, panel = self.long_run()
+        self.picture("running")
+        begin = time.monotonic()
+        click(self.child(panel, "Stop"))
+        wait_until(lambda: panel._job is None, "the run has stopped")
+        self.assertLess(time.monotonic() - begin, 1.0)
+        self.assertIn("Stopped", self.child(panel, "Status").text())
+        self.assertFalse(self.child(panel, "Stop").isVisible())
+        self.assertTrue(self.child(panel, "Thickness").isEnabled())
+        self.press("Cancel")
+        self.wait_closed()
+        self.assertEqual(self.doc.Objects, [source])
+
+    def test_cancel_ends_the_run_and_the_panel(self):
+        source, panel = self.long_run()
+        job = panel._job
+        self.press("Cancel")
+        self.wait_closed()
+        wait_until(lambda: not job._thread.is_alive(), "the thread has ended")
+        self.assertEqual(self.doc.Objects, [source])
+        self.assertEqual(self.doc.UndoCount, 0)
+
+
+class Document(GuiCase):
+    """What is left in the document: nothing after Cancel, one step after OK."""
+
+    def test_cancel_leaves_the_document_as_it_was(self):
+        source = self.add_mesh(saddle())
+        self.doc.saveAs(str(self.folder / "before.FCStd"))
+        self.select(source)
+        panel = self.run_command("Thicken_Make")
+        wait_until(lambda: not panel._preview.busy(), "the preview is there")
+        before = source.ViewObject.RootNode.getNumChildren()
+        self.press("Cancel")
+        self.wait_closed()
+        self.assertEqual(self.doc.Objects, [source])
+        self.assertTrue(source.ViewObject.Visibility)
+        self.assertEqual(source.ViewObject.Transparency, 0)
+        self.assertEqual(self.doc.UndoCount, 0)
+        self.assertFalse(self.doc.isTouched())
+        self.assertEqual(source.ViewObject.RootNode.getNumChildren(), before - 2, "the overlays are still there")
+
+    def test_undo_is_one_step(self):
+        source = self.add_mesh(saddle())
+        self.select(source)
+        self.run_command("Thicken_Make")
+        self.press("Ok")
+        self.wait_closed()
+        self.assertEqual(self.doc.UndoCount, 1)
+        self.doc.undo()
+        self.assertEqual(self.doc.Objects, [source])
+        self.assertTrue(source.ViewObject.Visibility)
+        self.doc.redo()
+        self.assertTrue(self.doc.getObject("Thicken").Valid)
+
+    def made(self):
+        self.select(self.add_mesh(saddle()))
+        self.run_command("Thicken_Make")
+        self.press("Ok")
+        self.wait_closed()
+        return self.doc.getObject("Thicken")
+
+    def edit(self, feature):
+        self.assertTrue(Gui.getDocument(self.doc.Name).setEdit(feature.Name, 0))
+        from ThickenWorkbench.gui import editing
+
+        return editing.current()
+
+    def test_double_click_edits_again(self):
+        feature = self.made()
+        old = feature.Volume.Value
+        panel = self.edit(feature)
+        self.assertAlmostEqual(panel.form_parts.inputs()["thickness"], feature.Thickness.Value)
+        type_text(self.child(panel, "Thickness"), "1.25 mm")
+        self.child(panel, "Side").setCurrentIndex(1)
+        self.press("Ok")
+        self.wait_closed()
+        self.assertEqual((feature.Thickness.Value, feature.Side), (1.25, "Positive"))
+        self.assertTrue(feature.Valid)
+        self.assertNotEqual(feature.Volume.Value, old)
+        self.assertIsNone(Gui.getDocument(self.doc.Name).getInEdit())
+        self.assertTrue(feature.ViewObject.Visibility)
+        self.doc.undo()
+        self.assertEqual(feature.Side, "Negative")
+        self.assertEqual(feature.Volume.Value, old)
+
+    def test_cancelled_edit_changes_nothing(self):
+        feature = self.made()
+        before = (feature.Thickness.Value, feature.Volume.Value, self.doc.UndoCount)
+        panel = self.edit(feature)
+        type_text(self.child(panel, "Thickness"), "1.25 mm")
+        panel._bound.setExpression("Thickness", "1 mm + 2 mm")
+        self.press("Cancel")
+        self.wait_closed()
+        self.assertEqual((feature.Thickness.Value, feature.Volume.Value, self.doc.UndoCount), before)
+        self.assertEqual(feature.ExpressionEngine, [])
+        self.assertTrue(feature.ViewObject.Visibility)
+        self.assertIsNone(Gui.getDocument(self.doc.Name).getInEdit())
+
+    def test_deleting_shows_the_source(self):
+        feature = self.made()
+        source = feature.Source
+        self.select(feature)
+        Gui.runCommand("Std_Delete")
+        self.assertEqual(self.doc.Objects, [source])
+        self.assertTrue(source.ViewObject.Visibility)
