@@ -2,7 +2,7 @@
 """How thick a solid is facet by facet, and how far its shell is from its definition.
 
 "wall" measures any closed mesh: from the middle of each facet straight through the material to the
-boundary again. "deviation" is for Thicken features: the distance of the shell from the surface less
+boundary again; the cross-section at the rim of a Thicken feature has none. "deviation" is for Thicken features: the distance of the shell from the surface less
 the thickness, which is 0 where the shell is where Definition 5 of the paper puts it; facets of the
 surface itself and of the wall have none.
 """
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 _SHELL = 1  # Region.SHELL
+_WALL = 2  # Region.WALL
 _BINS = 32
 
 
@@ -70,6 +71,10 @@ def _wall(feature: Any, vertices: NDArray, triangles: NDArray) -> NDArray:
     if not feature.Mesh.isSolid():
         raise RefusedError(f"“{feature.Label}” is not closed: only a closed mesh has a wall thickness.")
     values = native.load().wall_thickness(vertices, triangles)
+    if hasattr(feature, "RegionRuns"):
+        regions = facet_regions(feature)
+        if len(regions) == len(values):  # from its cross-section a sheet is as thick as it is broad
+            values[regions == _WALL] = np.nan
     return np.where(np.isfinite(values), values, np.nan)
 
 

@@ -66,7 +66,10 @@ class ThickenViewProvider(FeatureViewProvider):
 
     def updateData(self, obj: Any, name: str) -> None:
         if name in ("Mesh", "RegionRuns") and obj.ViewObject is not None:
-            self.paint(obj.ViewObject)
+            from .gui.region_colours import paint_later
+
+            self.paint(obj.ViewObject)  # at once: old colours do not fit a new mesh
+            paint_later(obj.ViewObject)
 
     def onChanged(self, view: Any, name: str) -> None:
         if name in ("RegionColors", "ShapeColor", "ShapeMaterial", "ShapeAppearance", "Coloring"):

@@ -79,7 +79,7 @@ class CheckPanel:
             self.status.setText(messages.sentences(job.error))
             return
         (self.defects,) = job.results
-        macro.record(f"defects = {macro.call('check_surface', self.item.source, **self.item.named())}")
+        macro.record("defects", self.defects, "check_surface", self.item.source, **self.item.named())
         label = self.item.source.Label
         if not self.defects:
             self.status.setText(translate("Thicken", "“{label}” can be thickened: it has no defect.").format(label=label))

@@ -20,16 +20,17 @@ class Legend(QtWidgets.QWidget):
         super().__init__()
         self.setObjectName("Legend")
         self.setMinimumHeight(240)
-        self._map: Any = None
+        self._shares: Any = None
         self._low, self._high = 0.0, 1.0
 
-    def show_map(self, found: Any, low: float, high: float) -> None:
-        """Show a ThicknessMap in colours from `low` to `high`."""
-        self._map, self._low, self._high = found, low, high
+    def show_shares(self, shares: Any, edges: Any) -> None:
+        """Show shares of the area between one edge and the next; the scale is from the first to the last."""
+        self._shares, self._edges = shares, edges
+        self._low, self._high = float(edges[0]), float(edges[-1])
         self.update()
 
     def paintEvent(self, event: Any) -> None:
-        if self._map is None:
+        if self._shares is None:
             return
         painter = QtGui.QPainter(self)
         painter.setRenderHint(QtGui.QPainter.Antialiasing)
@@ -60,7 +61,7 @@ class Legend(QtWidgets.QWidget):
             painter.drawText(box, QtCore.Qt.AlignVCenter | QtCore.Qt.AlignLeft, f"{value:.4g}")
 
     def _draw_histogram(self, painter: Any) -> None:
-        shares, edges = self._map.histogram
+        shares, edges = self._shares, self._edges
         most = max(float(shares.max()), 1e-300)
         left = _BAR + _TEXT
         width = self.width() - left - 4

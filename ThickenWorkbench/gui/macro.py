@@ -11,6 +11,8 @@ from typing import Any
 
 import FreeCADGui as Gui
 
+import ThickenWorkbench
+
 DOCUMENT = "App.ActiveDocument"
 
 
@@ -36,10 +38,17 @@ def run(line: str) -> None:
     Gui.doCommand(line)
 
 
-def record(line: str) -> None:
-    """Record a line whose work was done already, by another thread."""
-    Gui.addModule("ThickenWorkbench")
-    Gui.doCommandSkip(line)
+def record(variable: str, result: Any, function: str, *positional: Any, **named: Any) -> None:
+    """Record the assignment of a call whose result another thread has found already.
+
+    FreeCAD 0.20 records only what it executes: so the call is executed, but takes the result as it is.
+    """
+    line = f"{variable} = {call(function, *positional, **named)}"
+    setattr(ThickenWorkbench, function, lambda *_, **__: result)
+    try:
+        run(line)
+    finally:
+        delattr(ThickenWorkbench, function)  # the package finds the real one again
 
 
 def _text(value: Any) -> str:

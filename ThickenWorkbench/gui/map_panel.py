@@ -14,6 +14,7 @@ from .camera import go_to, view_of
 from .colour_scale import colours
 from .job import Job
 from .legend import Legend
+from .map_scale import ends, shares
 from .qt import QtWidgets, standard_buttons
 from .region_colours import paint_points
 
@@ -98,10 +99,10 @@ class MapPanel:
             self._plain()
             return
         (self.map,) = job.results
-        macro.record(f"thickness = {macro.call('thickness_map', self.feature, what=self.map.what)}")
-        low, high = _ends(self.map)
+        macro.record("thickness", self.map, "thickness_map", self.feature, what=self.map.what)
+        low, high = ends(self.map)
         paint_points(self.feature.ViewObject, colours(self.map.vertex_values, low, high))
-        self.legend.show_map(self.map, low, high)
+        self.legend.show_shares(*shares(self.feature, self.map, low, high))
         self.facts.setText(
             translate("Thicken", "Least {least}, mean {mean}, largest {largest} mm. 98 % of the area: {low} to {high} mm.").format(
                 least=f"{self.map.minimum:.4g}",
@@ -122,11 +123,3 @@ class MapPanel:
         view = self.feature.ViewObject
         if view is not None and hasattr(view.Proxy, "paint"):
             view.Proxy.paint(view)
-
-
-def _ends(found: Any) -> tuple[float, float]:
-    """Where the scale begins and ends: a deviation has 0 in its middle."""
-    if found.what == "deviation":
-        most = max(abs(found.minimum), abs(found.maximum))
-        return -most, most
-    return found.minimum, found.maximum

@@ -73,7 +73,7 @@ class GuiCase(unittest.TestCase):
         Gui.activateWorkbench("ThickenWorkbench")
         window = main_window()
         window.move(0, 0)
-        window.resize(1360, 860)
+        window.resize(1460, 900)  # the least that the toolbars need
         combo = [dock for dock in window.findChildren(QtGui.QDockWidget) if dock.objectName() == "Combo View"]
         if combo:
             window.resizeDocks(combo[:1], [370], QtCore.Qt.Horizontal)
