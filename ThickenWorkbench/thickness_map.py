@@ -2,9 +2,9 @@
 """How thick a solid is facet by facet, and how far its shell is from its definition.
 
 "wall" measures any closed mesh: from the middle of each facet straight through the material to the
-boundary again; the cross-section at the rim of a Thicken feature has none. "deviation" is for Thicken features: the distance of the shell from the surface less
-the thickness, which is 0 where the shell is where Definition 5 of the paper puts it; facets of the
-surface itself and of the wall have none.
+boundary again; the cross-section at the rim of a Thicken feature has none. "deviation" is for
+Thicken features: the distance of the shell from the surface less the thickness, which is 0 where the
+shell is where Definition 5 of the paper puts it; facets of the surface itself and of the wall have none.
 """
 
 from __future__ import annotations

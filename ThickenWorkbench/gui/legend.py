@@ -5,8 +5,12 @@ from __future__ import annotations
 
 from typing import Any
 
+import FreeCAD as App
+
 from .colour_scale import colours, ticks
 from .qt import QtCore, QtGui, QtWidgets
+
+translate = App.Qt.translate
 
 _BAR = 22  # pixels
 _TEXT = 64
@@ -20,6 +24,7 @@ class Legend(QtWidgets.QWidget):
         super().__init__()
         self.setObjectName("Legend")
         self.setMinimumHeight(240)
+        self.setToolTip(translate("Thicken", "The longer a bar, the more of the area has this value (square roots)"))
         self._shares: Any = None
         self._low, self._high = 0.0, 1.0
 
@@ -62,14 +67,16 @@ class Legend(QtWidgets.QWidget):
 
     def _draw_histogram(self, painter: Any) -> None:
         shares, edges = self._shares, self._edges
-        most = max(float(shares.max()), 1e-300)
+        # By their square roots: the few per cent that are thin are what one looks for.
+        lengths = shares**0.5
+        most = max(float(lengths.max()), 1e-300)
         left = _BAR + _TEXT
         width = self.width() - left - 4
         painter.setPen(QtCore.Qt.NoPen)
-        for share, start, end in zip(shares, edges, edges[1:]):
+        for length, start, end in zip(lengths, edges, edges[1:]):
             painter.setBrush(_colour(colours([(start + end) / 2], self._low, self._high)[0]).darker(110))
             top, bottom = self._y(end), self._y(start)
-            painter.drawRect(QtCore.QRectF(left, top, width * float(share) / most, max(bottom - top - 1, 1)))
+            painter.drawRect(QtCore.QRectF(left, top, width * float(length) / most, max(bottom - top - 1, 1)))
         painter.setPen(self.palette().color(QtGui.QPalette.Mid))
         painter.drawLine(QtCore.QPointF(left, _MARGIN), QtCore.QPointF(left, self.height() - _MARGIN))
 

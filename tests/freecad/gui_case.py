@@ -73,7 +73,7 @@ class GuiCase(unittest.TestCase):
         Gui.activateWorkbench("ThickenWorkbench")
         window = main_window()
         window.move(0, 0)
-        window.resize(1460, 900)  # the least that the toolbars need
+        window.resize(1500, 920)
         combo = [dock for dock in window.findChildren(QtGui.QDockWidget) if dock.objectName() == "Combo View"]
         if combo:
             window.resizeDocks(combo[:1], [370], QtCore.Qt.Horizontal)
@@ -177,11 +177,10 @@ class GuiCase(unittest.TestCase):
             process_events()
         if PICTURES:
             Path(PICTURES).mkdir(parents=True, exist_ok=True)
-            window = main_window()
-            screen = QtGui.QGuiApplication.primaryScreen().grabWindow(0)
-            frame = window.frameGeometry()
             target = Path(PICTURES) / f"{name}.png"
-            self.assertTrue(screen.copy(frame).save(str(target)), f"{target} was not written")
+            # The window as it is on the screen: a widget's own grab() leaves the 3D view empty.
+            shown = QtGui.QGuiApplication.primaryScreen().grabWindow(main_window().winId())
+            self.assertTrue(shown.save(str(target)), f"{target} was not written")
 
     def view_image(self):
         """What the 3D view shows, as an array of red, green, blue."""
