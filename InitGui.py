@@ -17,8 +17,10 @@ class ThickenWorkbench(Gui.Workbench):
         self.__class__.Icon = str(ICONS / "thicken.svg")
 
     def Initialize(self):
-        from ThickenWorkbench.gui import commands
+        from ThickenWorkbench.gui import commands, language, preferences_page
 
+        language.load()
+        preferences_page.add()
         names = commands.register()
         self.appendToolbar("Thicken", names)
         self.appendMenu("Thicken", names)

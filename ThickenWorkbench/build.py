@@ -18,9 +18,9 @@ PREFERENCES = "User parameter:BaseApp/Preferences/Mod/Thicken"
 _SUGGESTED_SHARE = 0.02
 
 
-def suggested_thickness(source: Any) -> float:
-    """A thickness to start from, mm: 2 % of the diagonal, rounded to one significant digit."""
-    wanted = _SUGGESTED_SHARE * bound_box(source).DiagonalLength
+def suggested_thickness(source: Any, share: float = _SUGGESTED_SHARE) -> float:
+    """A thickness to start from, mm: a share of the diagonal, rounded to one significant digit."""
+    wanted = share * bound_box(source).DiagonalLength
     if not (math.isfinite(wanted) and wanted > 0):
         return 1.0
     return float(f"{wanted:.0e}")

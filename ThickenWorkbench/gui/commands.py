@@ -11,6 +11,7 @@ from typing import Any
 import FreeCAD as App
 import FreeCADGui as Gui
 
+from ..native import PACKAGE_DIR
 from ..view_provider import ICONS
 from . import chosen
 
@@ -195,8 +196,10 @@ COMMANDS = [MakeCommand, CheckCommand, MapCommand]
 
 def register() -> list[str]:
     """Add the commands to FreeCAD and return their names."""
+    # Recorded macros import a module of the name of the file that adds a command: let it be the package.
+    add = compile("Gui.addCommand(name, command)", f"{PACKAGE_DIR}.py", "exec")
     for command in COMMANDS:
-        Gui.addCommand(command.name, command())
+        exec(add, {"Gui": Gui, "name": command.name, "command": command()})
     return [command.name for command in COMMANDS]
 
 

@@ -42,7 +42,8 @@ class ThickenPanel:
         self._read_surfaces(DEFAULT_DEFLECTION if feature is None else feature.Deflection.Value)
         self._job: Job | None = None
         self._closed = False
-        start = build.suggested_thickness(chosen[0].source) if feature is None else feature.Thickness.Value
+        share = preferences.get("ThicknessPercent") / 100
+        start = build.suggested_thickness(chosen[0].source, share) if feature is None else feature.Thickness.Value
         self.form_parts = ThickenForm(self._title(), start, of_shape, self._edited)
         self.form = self.form_parts.widget
         self._show_start()

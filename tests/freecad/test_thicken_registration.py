@@ -26,10 +26,22 @@ class FakeGui(types.ModuleType):
 
     def __init__(self):
         super().__init__("FreeCADGui")
-        self.workbenches, self.commands = [], {}
+        self.workbenches, self.commands, self.pages = [], {}, []
 
     def addWorkbench(self, workbench):
         self.workbenches.append(workbench)
+
+    def addLanguagePath(self, folder):
+        self.languages = folder
+
+    def updateLocale(self):
+        pass
+
+    def addIconPath(self, folder):
+        pass
+
+    def addPreferencePage(self, page, group):
+        self.pages.append((page, group))
 
     def addCommand(self, name, command):
         self.commands[name] = command
@@ -72,6 +84,9 @@ class Registration(DocumentCase):
         self.assertEqual(workbench.menu, workbench.toolbar)
         self.assertEqual(commands, list(self.gui.commands))
         self.assertIn("Thicken_Make", commands)
+        ((page, group),) = self.gui.pages
+        self.assertTrue(Path(page).is_file())
+        self.assertEqual(group, "Thicken")
         for command in self.gui.commands.values():
             resources = command.GetResources()
             self.assertTrue(Path(resources["Pixmap"]).is_file())
