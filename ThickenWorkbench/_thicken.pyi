@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # The compiled extension, whose source is libthicken/python. A test compares the two.
 from os import PathLike
-from typing import Any
+from typing import Any, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -54,3 +54,14 @@ def wall_thickness(
 def closest_points(
     vertices: ArrayLike, triangles: ArrayLike, points: ArrayLike, *, context: RunContext | None = None
 ) -> dict[str, NDArray[Any]]: ...
+def drill(
+    vertices: ArrayLike,
+    triangles: ArrayLike,
+    place: Sequence[float],
+    axis: Sequence[float],
+    diameter: float,
+    *,
+    sides: int = 24,
+    threads: int = 0,
+    context: RunContext | None = None,
+) -> dict[str, Any]: ...

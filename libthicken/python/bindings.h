@@ -10,6 +10,7 @@ namespace thicken::python {
 void bindError(pybind11::module_& module);
 void bindContext(pybind11::module_& module);
 void bindThicken(pybind11::module_& module);
+void bindDrill(pybind11::module_& module);
 void bindInspect(pybind11::module_& module);
 void bindFiles(pybind11::module_& module);
 

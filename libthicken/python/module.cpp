@@ -8,6 +8,7 @@ PYBIND11_MODULE(_thicken, module) {
   thicken::python::bindError(module);
   thicken::python::bindContext(module);
   thicken::python::bindThicken(module);
+  thicken::python::bindDrill(module);
   thicken::python::bindInspect(module);
   thicken::python::bindFiles(module);
 }

@@ -38,7 +38,8 @@ struct Inspection {
 [[nodiscard]] Inspection inspect(const TriangleMesh& solid, RunContext context = {}, int threads = 0);
 
 /// For each triangle, how far it is from its middle straight through the material to the boundary again,
-/// mm; infinite for a triangle without area and where the way never leaves. Throws only kCancelled.
+/// mm. Triangles beside it do not count: at a sharp edge they are near, and no wall. Infinite for a
+/// triangle without area and where nothing lies opposite. Throws only kCancelled.
 [[nodiscard]] std::vector<double> wallThickness(const TriangleMesh& solid, RunContext context = {},
                                                 int threads = 0);
 

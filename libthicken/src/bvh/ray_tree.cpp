@@ -88,7 +88,11 @@ void RayTree::meet(const Vec3& origin, const Vec3& direction, TriangleId triangl
   hit = {along, triangle};
 }
 
-RayTree::Hit RayTree::first(const Vec3& origin, const Vec3& direction, TriangleId except) const {
+RayTree::Hit RayTree::first(const Vec3& origin, const Vec3& direction, const Triangle& from) const {
+  const auto beside = [&](TriangleId t) {
+    return std::find_first_of(from.begin(), from.end(), triangles_[t].begin(), triangles_[t].end()) !=
+           from.end();
+  };
   Hit hit;
   if (nodes_.empty()) return hit;
   const Vec3 inverse = direction.cwiseInverse();
@@ -100,7 +104,7 @@ RayTree::Hit RayTree::first(const Vec3& origin, const Vec3& direction, TriangleI
     const Node& node = nodes_[index];
     if (entry(node.low, node.high, origin, inverse) > hit.along) continue;
     for (std::uint32_t i = node.begin; i < node.begin + node.count; ++i)
-      if (order_[i] != except) meet(origin, direction, order_[i], hit);
+      if (!beside(order_[i])) meet(origin, direction, order_[i], hit);
     if (node.count > 0) continue;
     std::uint32_t near = index + 1, far = node.right;
     if (entry(nodes_[near].low, nodes_[near].high, origin, inverse) >

@@ -23,10 +23,10 @@ class RayTree {
     TriangleId triangle = 0xffffffffu;
   };
 
-  /// The first meeting of the ray from `origin` along `direction` with a triangle other than `except`.
-  /// Edges belong to the triangles on both sides, with a margin for rounding: no ray slips between two.
-  /// Of equally near triangles the one with the lowest id is taken.
-  [[nodiscard]] Hit first(const Vec3& origin, const Vec3& direction, TriangleId except = 0xffffffffu) const;
+  /// The first meeting of the ray from `origin` along `direction` with a triangle that has no corner in
+  /// common with the triangle `from`. Edges belong to the triangles on both sides, with a margin for
+  /// rounding: no ray slips between two. Of equally near triangles the one with the lowest id is taken.
+  [[nodiscard]] Hit first(const Vec3& origin, const Vec3& direction, const Triangle& from) const;
 
  private:
   struct Node {

@@ -70,15 +70,15 @@ Inspection inspect(const TriangleMesh& solid, RunContext context, int threads) {
 }
 
 std::vector<double> wallThickness(const TriangleMesh& solid, RunContext context, int threads) {
-  const RayTree tree(solid.positions, solid.triangles);
-  std::vector<double> thickness(solid.triangles.size(), std::numeric_limits<double>::infinity());
+  const TriangleMesh mesh = weld(solid);
+  const RayTree tree(mesh.positions, mesh.triangles);
+  std::vector<double> thickness(mesh.triangles.size(), std::numeric_limits<double>::infinity());
   parallelFor(thickness.size(), threads, context, 256, [&](std::size_t t) {
-    const auto& [a, b, c] = solid.triangles[t];
-    const Vec3& p = solid.positions[a];
-    const Vec3 normal = (solid.positions[b] - p).cross(solid.positions[c] - p);
+    const Triangle& corners = mesh.triangles[t];
+    const Vec3& p = mesh.positions[corners[0]];
+    const Vec3 u = mesh.positions[corners[1]] - p, v = mesh.positions[corners[2]] - p, normal = u.cross(v);
     if (normal.squaredNorm() == 0) return;
-    const Vec3 middle = p + ((solid.positions[b] - p) + (solid.positions[c] - p)) / 3;
-    thickness[t] = tree.first(middle, -normal.stableNormalized(), static_cast<TriangleId>(t)).along;
+    thickness[t] = tree.first(p + (u + v) / 3, -normal.stableNormalized(), corners).along;
   });
   return thickness;
 }
