@@ -24,13 +24,17 @@ class SideArrow:
     def __init__(self, obj: Any, vertices: ArrayLike, triangles: ArrayLike, flip: Callable[[], None]) -> None:
         self._overlay = over_object(obj)
         self._placement = obj.getGlobalPlacement() if hasattr(obj, "getGlobalPlacement") else App.Placement()
-        self._foot, self._normal, self._diagonal = _place(np.asarray(vertices, float), np.asarray(triangles))
+        self.move(vertices, triangles)
         self._tips: list[np.ndarray] = []
         self._flip = flip
         self._view = Gui.getDocument(obj.Document.Name).activeView()
         self._callback = None
         if hasattr(self._view, "addEventCallback"):
             self._callback = self._view.addEventCallback("SoMouseButtonEvent", self._on_button)
+
+    def move(self, vertices: ArrayLike, triangles: ArrayLike) -> None:
+        """Stand on another surface, once show() is called."""
+        self._foot, self._normal, self._diagonal = _place(np.asarray(vertices, float), np.asarray(triangles))
 
     def show(self, side: str, thickness: float) -> None:
         """Draw for "negative", "positive" or "both"."""
@@ -77,7 +81,7 @@ def _place(vertices: np.ndarray, triangles: np.ndarray) -> tuple[np.ndarray, np.
     centres = corners.mean(1)
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     areas = np.linalg.norm(normals, axis=1)
-    box = np.ptp(vertices, axis=0)
+    box = np.ptp(corners.reshape(-1, 3), axis=0)
     off = np.linalg.norm(centres - np.average(centres, axis=0, weights=np.maximum(areas, 1e-30)), axis=1)
     off[areas <= 0] = np.inf
     chosen = int(np.argmin(off))

@@ -20,7 +20,9 @@ AUTOMATIC = -1
 class ThickenForm:
     """All inputs of one panel. `changed` is called after each edit by the user."""
 
-    def __init__(self, title: str, thickness: float, of_shape: bool, changed: Callable[[], None]) -> None:
+    def __init__(
+        self, title: str, thickness: float, of_shape: bool, of_mesh: bool, changed: Callable[[], None]
+    ) -> None:
         self._changed = changed
         self._of_shape = of_shape
         self._quiet = False
@@ -28,7 +30,9 @@ class ThickenForm:
         self.widget.setObjectName("ThickenPanel")
         self.widget.setWindowTitle(translate("Thicken", "Thicken"))
         column = QtWidgets.QVBoxLayout(self.widget)
-        column.addWidget(_label(title))
+        self.title = _named(_label(title), "Title")
+        column.addWidget(self.title)
+        self._add_region_row(column, of_mesh)
         rows = QtWidgets.QFormLayout()
         column.addLayout(rows)
         self._add_shape_rows(rows, thickness)
@@ -37,6 +41,29 @@ class ThickenForm:
         self._add_run_rows(column)
         column.addStretch()
         self._show_number()
+
+    def _add_region_row(self, column: Any, of_mesh: bool) -> None:
+        self.pick = _named(QtWidgets.QPushButton(translate("Thicken", "Pick a region")), "Pick")
+        self.pick.setCheckable(True)
+        self.pick.setToolTip(
+            translate("Thicken", "Thicken a part of the mesh: each click in the view adds a smooth patch, or takes it away")
+        )
+        self.sharpest = _named(QtWidgets.QSpinBox(), "Sharpest")
+        self.sharpest.setRange(1, 180)
+        self.sharpest.setValue(20)
+        self.sharpest.setSuffix("°")
+        self.sharpest.setToolTip(translate("Thicken", "A patch ends where the surface turns by more than this"))
+        self.whole = _named(QtWidgets.QPushButton(translate("Thicken", "All of it")), "Whole")
+        line = QtWidgets.QHBoxLayout()
+        for widget in (self.pick, self.sharpest, self.whole):
+            line.addWidget(widget)
+            widget.setVisible(of_mesh)
+        column.addLayout(line)
+        self.show_picking(False)
+
+    def show_picking(self, picking: bool) -> None:
+        """The angle belongs to picking."""
+        self.sharpest.setEnabled(picking)
 
     def _add_shape_rows(self, rows: Any, thickness: float) -> None:
         self.thickness = _named(length_box(thickness), "Thickness")
@@ -172,7 +199,7 @@ class ThickenForm:
         """Progress and its button belong to a run, and nothing can be edited while it lasts."""
         self.progress.setVisible(running)
         self.stop.setVisible(running)
-        for widget in (self.thickness, self.side, self.flip, self.method, self.quality, self.length, self.cells,
+        for widget in (self.pick, self.whole, self.thickness, self.side, self.flip, self.method, self.quality, self.length, self.cells,
                        self.smooth, self.deflection, self.repair, self.preview):  # fmt: skip
             widget.setEnabled(not running)
 

@@ -18,10 +18,11 @@ from .. import build, params, precomputed, prediction, preferences
 from ..arrays import ThickenedMesh, thicken_mesh
 from ..sources import DEFAULT_DEFLECTION
 from . import macro, messages
-from .chosen import Chosen, is_shape
+from .chosen import Chosen, is_mesh, is_shape
 from .job import Job
 from .preview import Preview
 from .qt import standard_buttons
+from .region_picker import RegionPicker
 from .side_arrow import SideArrow
 from .surfaces import arguments_of, surface_of
 from .thicken_form import OUTPUTS, ThickenForm
@@ -44,15 +45,20 @@ class ThickenPanel:
         self._closed = False
         share = preferences.get("ThicknessPercent") / 100
         start = build.suggested_thickness(chosen[0].source, share) if feature is None else feature.Thickness.Value
-        self.form_parts = ThickenForm(self._title(), start, of_shape, self._edited)
+        self.form_parts = ThickenForm(self._title(), start, of_shape, self._can_pick(), self._edited)
         self.form = self.form_parts.widget
         self._show_start()
         self._open_transaction()
         self._looks = _Looks([feature] if feature is not None else [], [item.source for item in chosen])
         Gui.Selection.clearSelection()  # its colour would hide those of the preview
-        self._arrow = SideArrow(chosen[0].source, *self._surfaces[0], self.form_parts.flip_side)
+        self._arrow = SideArrow(chosen[0].source, *self._surfaces[0], self._flip)
+        self._picker: RegionPicker | None = None
         self._preview = Preview([item.source for item in chosen], self._previewed)
         self.form_parts.stop.clicked.connect(self._stop)
+        self.form_parts.pick.toggled.connect(self._pick)
+        self.form_parts.sharpest.valueChanged.connect(self._sharpen)
+        self.form_parts.whole.clicked.connect(lambda: self._choose(()))
+        self.form_parts.whole.setEnabled(bool(chosen[0].facets))
         self._edited()
 
     # --- what FreeCAD calls ---
@@ -66,6 +72,7 @@ class ThickenPanel:
     def accept(self) -> bool:
         """Compute; the panel closes itself once the features are made."""
         if self._job is None and self._inputs_make_sense():
+            self.form_parts.pick.setChecked(False)
             self._preview.cancel()
             self._compute()
         return False
@@ -84,6 +91,45 @@ class ThickenPanel:
         self._deflection = deflection
         self._surfaces = [surface_of(item, deflection) for item in self.chosen]
         self._triangles = sum(len(surface[1]) for surface in self._surfaces)
+
+    def _flip(self) -> None:
+        """A click on the arrow; while a region is picked, clicks mean the mesh."""
+        if self._picker is None and self._job is None:
+            self.form_parts.flip_side()
+
+    def _can_pick(self) -> bool:
+        return len(self.chosen) == 1 and is_mesh(self.chosen[0].source)
+
+    def _pick(self, on: bool) -> None:
+        """Let clicks in the view choose facets; the preview gives way to them."""
+        self.form_parts.show_picking(on)
+        if on:
+            self._preview.cancel()
+            self._preview.hide()
+            item = self.chosen[0]
+            self._picker = RegionPicker(item.source, item.facets, self._choose)
+            self._sharpen(self.form_parts.sharpest.value())
+            self.form_parts.tell(translate("Thicken", "Click on the mesh; click “Pick a region” again to see the preview."))
+        elif self._picker is not None:
+            self._picker.stop()
+            self._picker = None
+            self._edited()
+
+    def _sharpen(self, degrees: int) -> None:
+        if self._picker is not None:
+            self._picker.sharpest = float(degrees)
+
+    def _choose(self, facets: tuple[int, ...]) -> None:
+        """Thicken these facets, or all of them when there is none."""
+        if not facets and self._picker is not None and self.chosen[0].facets:
+            self.chosen = [Chosen(self.chosen[0].source)]
+            self._picker.clear()
+        self.chosen = [Chosen(self.chosen[0].source, facets=facets)]
+        self._read_surfaces(self._deflection)
+        self.form_parts.title.setText(self._title())
+        self.form_parts.whole.setEnabled(bool(facets))
+        self._arrow.move(*self._surfaces[0])
+        self._edited()
 
     def _title(self) -> str:
         names = ", ".join(f"“{item.source.Label}”" for item in self.chosen[:3])
@@ -128,6 +174,8 @@ class ThickenPanel:
         )
         self._arrow.show(inputs["side"], inputs["thickness"])
         self._preview.cancel()
+        if self._picker is not None:
+            return
         if not parts.preview.isChecked():
             self._preview.hide()
             parts.tell("")
@@ -234,6 +282,9 @@ class ThickenPanel:
         reference = macro.reference(self.feature)
         lines = []
         before, after = _inputs_of(self.feature), self.form_parts.inputs()
+        facets = list(self.chosen[0].facets)
+        if is_mesh(self.feature.Source) and facets != list(self.feature.Facets):
+            lines.append(f"{reference}.Facets = {facets!r}")
         expression = self.form_parts.expression()
         if expression != self._expression:
             lines.append(f"{reference}.setExpression('Thickness', {expression or None!r})")
@@ -249,6 +300,8 @@ class ThickenPanel:
         self._closed = True
         if self._job is not None:
             self._job.abandon()
+        if self._picker is not None:
+            self._picker.stop()
         self._preview.remove()
         self._arrow.remove()
         self._looks.restore()

@@ -9,7 +9,7 @@ import Part
 
 from ThickenWorkbench import preferences
 from gui_case import GuiCase, click, type_text, wait_until
-from thicken_surfaces import fin, plate, saddle
+from thicken_surfaces import fin, grid, plate, saddle
 
 
 class Panel(GuiCase):
@@ -129,6 +129,31 @@ class Panel(GuiCase):
         self.assertTrue(solid.ViewObject.Visibility)
         self.assertFalse(feature.ViewObject.Visibility)
         self.picture("part-solid")
+
+    def test_a_region_is_picked_by_clicks(self):
+        source = self.add_mesh(grid(lambda x, y: abs(x), n=21))  # two planes that meet at a right angle
+        panel = self.open(source)
+        self.wait_preview(panel)
+        click(self.child(panel, "Pick"))
+        view = Gui.activeDocument().activeView()
+        view.viewTop()
+        Gui.SendMsgToActiveView("ViewFit")
+        self.click_view(view.getPointOnScreen(App.Vector(6.1, 5.3, 6.1)))
+        self.assertEqual(len(panel.chosen[0].facets), 400)
+        self.assertIn("400", self.child(panel, "Title").text())
+        self.click_view(view.getPointOnScreen(App.Vector(-6.1, 5.3, 6.1)))
+        self.assertEqual(len(panel.chosen[0].facets), 800)
+        self.click_view(view.getPointOnScreen(App.Vector(-6.1, 5.3, 6.1)))
+        self.assertEqual(len(panel.chosen[0].facets), 400)
+        self.look()
+        self.picture("pick-region")
+        click(self.child(panel, "Pick"))
+        self.wait_preview(panel)
+        type_text(self.child(panel, "Thickness"), "1 mm")
+        self.ok()
+        feature = self.doc.getObject("Thicken")
+        self.assertEqual((len(feature.Facets), feature.OriginalTriangles), (400, 400))
+        self.assertAlmostEqual(feature.Volume.Value, 20 * 10 * 2**0.5, delta=1e-2)
 
     def test_refusal_is_told_in_the_panel(self):
         panel = self.open(self.add_mesh(fin()))

@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Chooses a part of a mesh by clicks in the 3D view: each adds, or takes away, a smooth patch."""
+
+from __future__ import annotations
+
+from typing import Any, Callable
+
+import FreeCAD as App
+import numpy as np
+
+from .. import preferences
+from ..mesh_io import arrays_from_mesh
+from ..patches import SmoothPatches
+from .camera import view_of
+from .overlay import faces, over_object
+from .view_clicks import ViewClicks
+
+
+class RegionPicker:
+    """`changed` is called with the chosen facets after each click, until stop()."""
+
+    def __init__(self, source: Any, facets: tuple[int, ...], changed: Callable[[tuple[int, ...]], None]) -> None:
+        self.sharpest = 20.0  #: degrees: what a patch ends at
+        self._source, self._changed = source, changed
+        self._vertices, self._triangles = arrays_from_mesh(source.Mesh)
+        self._patches = SmoothPatches(self._vertices, self._triangles)
+        self._chosen = np.zeros(len(self._triangles), bool)
+        self._chosen[list(facets)] = True
+        self._overlay = over_object(source)
+        self._clicks = ViewClicks(view_of(source.Document), source, self._clicked)
+        self._show()
+
+    def stop(self) -> None:
+        self._clicks.stop()
+        self._overlay.remove()
+
+    def clear(self) -> None:
+        self._chosen[:] = False
+        self._tell()
+
+    def facet_at(self, place: Any) -> int:
+        """The facet that is nearest to a place of the document."""
+        local = np.array(tuple(self._source.getGlobalPlacement().inverse().multVec(place)))
+        corners = self._vertices[self._triangles].astype(float)
+        return int(np.argmin(_distances(local, corners)))
+
+    def _clicked(self, place: Any) -> None:
+        facet = self.facet_at(place)
+        patch = self._patches.around(facet, self.sharpest)
+        self._chosen[patch] = not self._chosen[facet]
+        self._tell()
+
+    def _tell(self) -> None:
+        self._show()
+        self._changed(tuple(int(facet) for facet in np.flatnonzero(self._chosen)))
+
+    def _show(self) -> None:
+        chosen = self._triangles[self._chosen]
+        colour = preferences.colour("ColorOriginal")
+        self._overlay.show(*([faces(self._vertices, chosen, colour)] if len(chosen) else []))
+
+
+def _distances(point: Any, corners: Any) -> Any:
+    """From a point to each triangle: to its plane where the point is above it, else to its edges."""
+    a, b, c = corners.transpose(1, 0, 2)
+    normal = np.cross(b - a, c - a)
+    length = np.linalg.norm(normal, axis=1)
+    unit = np.divide(normal, length[:, None], out=np.zeros_like(normal), where=length[:, None] > 0)
+    inside = length > 0
+    nearest = np.full(len(corners), np.inf)
+    for start, end in ((a, b), (b, c), (c, a)):
+        along = end - start
+        square = np.maximum(np.einsum("ij,ij->i", along, along), 1e-300)
+        share = np.clip(np.einsum("ij,ij->i", point - start, along) / square, 0, 1)
+        nearest = np.minimum(nearest, np.linalg.norm(start + share[:, None] * along - point, axis=1))
+        inside &= np.einsum("ij,ij->i", np.cross(along, point - start), unit) >= 0
+    height = np.abs(np.einsum("ij,ij->i", point - a, unit))
+    return np.where(inside, height, nearest)

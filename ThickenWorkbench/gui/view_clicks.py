@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Clicks on the surface of an object in the 3D view."""
+
+from __future__ import annotations
+
+from contextlib import suppress
+from typing import Any, Callable
+
+import FreeCAD as App
+
+
+class ViewClicks:
+    """Calls `hit` with the place (of the document, mm) of each click on `obj`, until stop()."""
+
+    def __init__(self, view: Any, obj: Any, hit: Callable[[Any], None]) -> None:
+        self._view, self._obj, self._hit = view, obj, hit
+        self._callback = view.addEventCallback("SoMouseButtonEvent", self._on_button)
+
+    def stop(self) -> None:
+        if self._callback is not None:
+            with suppress(RuntimeError):  # the view was closed
+                self._view.removeEventCallback("SoMouseButtonEvent", self._callback)
+            self._callback = None
+
+    def _on_button(self, event: dict[str, Any]) -> None:
+        if event["Button"] != "BUTTON1" or event["State"] != "DOWN":
+            return
+        found = self._view.getObjectInfo(tuple(event["Position"]))
+        if found and found.get("Object") == self._obj.Name:
+            self._hit(App.Vector(found["x"], found["y"], found["z"]))
