@@ -3,10 +3,12 @@
 
 #include <map>
 
-#include "field/labels.h"
+#include "contour/follow.h"
+#include "contour/rim_walk.h"
+#include "field/node_field.h"
 #include "field/surface_crossings.h"
+#include "mesh/topology.h"
 #include "plain_shapes.h"
-#include "sweep/sweep.h"
 
 namespace thicken {
 namespace {
@@ -21,6 +23,14 @@ UniformGrid gridAround(const TriangleMesh& mesh, double margin, double width) {
   GridIndex cells{};
   for (int k = 0; k < 3; ++k) cells[k] = static_cast<int>((high[k] + margin - origin[k]) / width) + 1;
   return {origin, width, cells};
+}
+
+std::vector<GridIndex> allNodes(const UniformGrid& grid) {
+  std::vector<GridIndex> nodes;
+  for (int k = 0; k < grid.cells()[2]; ++k)
+    for (int j = 0; j < grid.cells()[1]; ++j)
+      for (int i = 0; i < grid.cells()[0]; ++i) nodes.push_back({i, j, k});
+  return nodes;
 }
 
 TEST(SurfaceCrossings, OfAClosedSurfaceCancelAlongEveryLine) {
@@ -58,24 +68,99 @@ TEST(SurfaceCrossings, OfATriangleThatTouchesAGridLineAreRefused) {
   EXPECT_THROW((void)surfaceCrossings(grid, positions, triangles, {}, 1), GridTouches);
 }
 
-// The hierarchy must give every node the label that Definition 2 gives it by itself.
-TEST(Labels, AreThoseOfDefinition2AtEveryNode) {
+TEST(KeyIndex, NumbersKeysAsTheyArrive) {
+  KeyIndex index;
+  for (std::uint64_t i = 0; i < 5000; ++i) {
+    const auto [number, isNew] = index.insert(i * 0x100000001u);
+    EXPECT_TRUE(isNew);
+    EXPECT_EQ(number, i);
+  }
+  EXPECT_EQ(index.insert(77 * 0x100000001u), (std::pair{77u, false}));
+  EXPECT_EQ(index.find(4999 * 0x100000001u), 4999u);
+  EXPECT_EQ(index.find(3), KeyIndex::kAbsent);
+}
+
+TEST(NodeField, HasTheLabelsOfDefinition2) {
   const TriangleMesh sheet = shapes::sheet(10, 8);
   const double r = 1.1;
   const ClosestPointTree tree(sheet);
   const Membership membership(tree, tree, sheet.triangles.size(), r);
   const UniformGrid grid = gridAround(sheet, r + 0.5, 0.3);
-  const Labels labels(grid, membership, {}, 2);
-  std::size_t inside = 0;
-  for (int k = 0; k < grid.cells()[2]; ++k)
-    for (int j = 0; j < grid.cells()[1]; ++j)
-      for (int i = 0; i < grid.cells()[0]; ++i) {
-        const Vec3 p = grid.node({i, j, k});
-        const bool expected = insideThickened(p, *tree.closest(p), r);
-        EXPECT_EQ(labels.inside({i, j, k}), expected) << p.transpose();
-        inside += expected;
-      }
+  NodeField field(grid);
+  for (const GridIndex& n : allNodes(grid)) (void)field.want(UniformGrid::key(n));
+  field.evaluate(membership, {}, 2);
+  std::uint32_t number = 0, inside = 0;
+  for (const GridIndex& n : allNodes(grid)) {
+    const Vec3 p = grid.node(n);
+    const NodeField::Sample& sample = field[number++];
+    EXPECT_EQ(sample.inside(), insideThickened(p, *tree.closest(p), r)) << p.transpose();
+    inside += sample.inside();
+  }
   EXPECT_GT(inside, 1000u);
+}
+
+// What is forgotten is at least what changes.
+TEST(NodeField, ForgetsWhatATriangleMayHaveChanged) {
+  const TriangleMesh sheet = shapes::sheet(10, 8);
+  const double r = 1.1;
+  TriangleMesh more = sheet;
+  const auto first = static_cast<VertexId>(more.positions.size());
+  more.positions.insert(more.positions.end(), {{1, 1, -0.6}, {3, 1, -0.6}, {1, 3, -0.6}});
+  more.triangles.push_back({first, first + 1, first + 2});
+  const ClosestPointTree tree(sheet), carrier(more);
+  const Membership before(tree, tree, sheet.triangles.size(), r);
+  const Membership after(carrier, tree, sheet.triangles.size(), r);
+  const UniformGrid grid = gridAround(sheet, r + 0.5, 0.3);
+  NodeField field(grid);
+  for (const GridIndex& n : allNodes(grid)) (void)field.want(UniformGrid::key(n));
+  field.evaluate(before, {}, 2);
+  TriangleMesh added{more.positions, {more.triangles.back()}};
+  field.forget(ClosestPointTree(added), {}, 2);
+  std::size_t forgotten = 0, changed = 0;
+  std::uint32_t number = 0;
+  for (const GridIndex& n : allNodes(grid)) {
+    const NodeField::Sample& sample = field[number++];
+    const Probe now = after.probe(grid.node(n));
+    const bool known = sample.state == NodeField::State::kKnown;
+    forgotten += !known;
+    changed += now.standing != sample.standing;
+    if (known) EXPECT_EQ(now.standing, sample.standing);
+  }
+  EXPECT_GT(changed, 0u);
+  EXPECT_LT(forgotten, field.size() / 4);
+}
+
+// Followed from the rim, an open sheet's contour is all that a search of the whole grid finds.
+TEST(FollowContour, FindsWhatASearchOfEveryEdgeFinds) {
+  const TriangleMesh sheet = shapes::sheet(10, 8);
+  const double r = 1.1;
+  const ClosestPointTree tree(sheet);
+  const Membership membership(tree, tree, sheet.triangles.size(), r);
+  const UniformGrid grid = gridAround(sheet, r + 0.5, 0.3);
+  const CrossedEdges crossed(surfaceCrossings(grid, sheet.positions, sheet.triangles, {}, 2), {});
+  std::vector<GridIndex> seeds;
+  for (const RimWay& way : rimWays(grid, sheet.positions, rimOf(sheet.positions.size(), sheet.triangles)))
+    for (const RimVisit& visit : way) seeds.push_back(visit.cell);
+  NodeField field(grid);
+  const auto found = followContour(grid, seeds, crossed, membership, field, {}, 2);
+
+  NodeField whole(grid);
+  for (const GridIndex& n : allNodes(grid)) (void)whole.want(UniformGrid::key(n));
+  whole.evaluate(membership, {}, 2);
+  std::size_t expected = 0;
+  for (const GridIndex& n : allNodes(grid))
+    for (int axis = 0; axis < 3; ++axis) {
+      GridIndex up = n;
+      if (++up[axis] >= grid.cells()[axis]) continue;
+      std::vector<Crossing> here;
+      const std::uint64_t edge = UniformGrid::key(n, axis);
+      crossEdge(grid, whole, edge, whole.want(UniformGrid::key(n)), whole.want(UniformGrid::key(up)),
+                crossed.of(edge), here);
+      expected += here.size();
+    }
+  EXPECT_GT(expected, 500u);
+  EXPECT_EQ(found.size(), expected);
+  EXPECT_LT(field.size(), whole.size() / 2);
 }
 
 }  // namespace

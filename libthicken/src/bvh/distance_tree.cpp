@@ -27,10 +27,23 @@ struct Box {
   }
 };
 
-float roundDown(double x) {
-  const auto f = static_cast<float>(x);
-  return static_cast<double>(f) > x ? std::nextafterf(f, -std::numeric_limits<float>::infinity()) : f;
-}
+// Axes of a box around triangles: their mean normal, then the direction of their greatest spread.
+struct Frame {
+  Vec3 axis[3] = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
+
+  void turnTo(const Vec3& normal) {
+    axis[0] = normal;
+    axis[1] = normal.unitOrthogonal();
+    axis[2] = normal.cross(axis[1]);
+  }
+  // Turns the tangents by the principal direction of the scatter (xx, xy, yy) in their plane.
+  void turnTangents(double xx, double xy, double yy) {
+    const double angle = std::atan2(2 * xy, xx - yy) / 2;
+    const Vec3 u = std::cos(angle) * axis[1] + std::sin(angle) * axis[2];
+    axis[2] = axis[0].cross(u);
+    axis[1] = u;
+  }
+};
 
 float roundUp(double x) {
   const auto f = static_cast<float>(x);
@@ -43,6 +56,8 @@ float roundUp(double x) {
 // levels of the binary tree into one node of four children.
 struct DistanceTree::Builder {
   DistanceTree& tree;
+  std::span<const Vec3> positions;
+  std::span<const Triangle> triangles;
   std::vector<Box> boxes;
   std::vector<Vec3> middles;
   double slack = 0;
@@ -56,6 +71,58 @@ struct DistanceTree::Builder {
     Box b;
     for (std::uint32_t i = begin; i < end; ++i) b.add(boxes[tree.order_[i]]);
     return b;
+  }
+
+  [[nodiscard]] Frame frameOf(const Range& r) const {
+    Frame frame;
+    Vec3 normal = Vec3::Zero();
+    for (std::uint32_t i = r.begin; i < r.end; ++i) {
+      const auto& [a, b, c] = triangles[tree.order_[i]];
+      normal += (positions[b] - positions[a]).cross(positions[c] - positions[a]);
+    }
+    const double length = normal.stableNorm();
+    if (!(length > 0) || !std::isfinite(length)) return frame;
+    frame.turnTo(normal / length);
+    const Vec3 middle = (r.box.low + r.box.high) / 2;
+    double xx = 0, xy = 0, yy = 0;
+    for (std::uint32_t i = r.begin; i < r.end; ++i)
+      for (const VertexId v : triangles[tree.order_[i]]) {
+        const double x = frame.axis[1].dot(positions[v] - middle);
+        const double y = frame.axis[2].dot(positions[v] - middle);
+        xx += x * x;
+        xy += x * y;
+        yy += y * y;
+      }
+    frame.turnTangents(xx, xy, yy);
+    return frame;
+  }
+
+  // The turned box of a range as child k of a node; extents are measured along the axes as they are
+  // stored, so that rounding of the axes does not matter.
+  void putBox(Node& node, int k, const Range& r) const {
+    const Frame frame = frameOf(r);
+    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+    Vec3 axis[3];
+    for (int a = 0; a < 3; ++a)
+      for (int x = 0; x < 3; ++x) {
+        node.axis[a][x][k] = static_cast<float>(frame.axis[a][x]);
+        axis[a][x] = double{node.axis[a][x][k]};
+      }
+    for (std::uint32_t i = r.begin; i < r.end; ++i)
+      for (const VertexId v : triangles[tree.order_[i]]) {
+        const Vec3 p = positions[v] - tree.centre_;
+        const Vec3 q(axis[0].dot(p), axis[1].dot(p), axis[2].dot(p));
+        low = low.cwiseMin(q);
+        high = high.cwiseMax(q);
+      }
+    const Vec3 between = (low + high) / 2;
+    const Vec3 middle = between[0] * frame.axis[0] + between[1] * frame.axis[1] + between[2] * frame.axis[2];
+    for (int x = 0; x < 3; ++x) node.middle[x][k] = static_cast<float>(middle[x]);
+    const Vec3 stored(double{node.middle[0][k]}, double{node.middle[1][k]}, double{node.middle[2][k]});
+    for (int a = 0; a < 3; ++a) {
+      const double at = axis[a].dot(stored);
+      node.half[a][k] = roundUp(std::max(high[a] - at, at - low[a]) + slack);
+    }
   }
 
   // Below this depth ranges are halved by count, so that sizes in geometric progression cannot make the
@@ -115,6 +182,25 @@ struct DistanceTree::Builder {
     return (r.begin + r.end) / 2;  // all middles coincide
   }
 
+  std::int32_t makeLeaf(const Range& r) {
+    Leaf leaf{};
+    leaf.first = r.begin;
+    leaf.count = r.end - r.begin;
+    for (std::uint32_t i = 0; i < leaf.count; ++i) {
+      const Triangle& t = triangles[tree.order_[r.begin + i]];
+      const PreparedTriangle p({positions[t[0]], positions[t[1]], positions[t[2]]}, t);
+      const auto put = [&](int plane, const Vec3& direction, const Vec3& on) {
+        if (direction.isZero(0)) return;  // a needle's: always measured
+        for (int x = 0; x < 3; ++x) leaf.plane[plane][x][i] = static_cast<float>(direction[x]);
+        leaf.plane[plane][3][i] = static_cast<float>(direction.dot(on - tree.centre_));
+      };
+      put(0, p.normal, p.corner[0]);
+      for (int k = 0; k < 3; ++k) put(1 + k, -p.side[k].stableNormalized(), p.corner[k]);
+    }
+    tree.leaves_.push_back(leaf);
+    return static_cast<std::int32_t>(tree.leaves_.size() - 1);
+  }
+
   std::int32_t build(const Range& whole, int depth) {
     std::vector<Range> parts{whole};
     while (parts.size() < static_cast<std::size_t>(kWidth)) {  // open the largest part until four
@@ -136,33 +222,24 @@ struct DistanceTree::Builder {
     for (int k = 0; k < kWidth; ++k) {
       const bool used = static_cast<std::size_t>(k) < parts.size();
       std::int32_t child = kEmpty;
-      std::int32_t count = 0;
       if (used) {
         const Range& r = parts[static_cast<std::size_t>(k)];
         if (r.end - r.begin <= kLeafSize) {
-          child = -1 - static_cast<std::int32_t>(r.begin);
-          count = static_cast<std::int32_t>(r.end - r.begin);
+          child = -1 - makeLeaf(r);
         } else {
           child = build(r, depth + 1);
         }
       }
       Node& node = tree.nodes_[static_cast<std::size_t>(id)];
       node.child[k] = child;
-      node.count[k] = count;
-      for (int x = 0; x < 3; ++x) {
-        const Box box = used ? parts[static_cast<std::size_t>(k)].box : Box();
-        node.low[x][k] =
-            used ? roundDown(box.low[x] - tree.centre_[x] - slack) : std::numeric_limits<float>::max();
-        node.high[x][k] =
-            used ? roundUp(box.high[x] - tree.centre_[x] + slack) : std::numeric_limits<float>::max();
-      }
+      if (used) putBox(node, k, parts[static_cast<std::size_t>(k)]);
     }
     return id;
   }
 };
 
 DistanceTree::DistanceTree(std::span<const Vec3> positions, std::span<const Triangle> triangles) {
-  Builder builder{*this, {}, {}, 0};
+  Builder builder{*this, positions, triangles, {}, {}, 0};
   builder.boxes.reserve(triangles.size());
   builder.middles.reserve(triangles.size());
   Box whole;
@@ -178,7 +255,8 @@ DistanceTree::DistanceTree(std::span<const Vec3> positions, std::span<const Tria
   if (triangles.empty()) return;
   centre_ = (whole.low + whole.high) / 2;
   // A query as far as twice the extent away is rounded by less than this.
-  builder.slack = (whole.high - whole.low).maxCoeff() * 4e-7;
+  builder.slack = (whole.high - whole.low).maxCoeff() * 2e-6;
+  slack_ = roundUp(builder.slack);
   builder.build({0, static_cast<std::uint32_t>(triangles.size()), whole}, 0);
   prepared_.reserve(order_.size());
   placeOf_.resize(order_.size());
@@ -193,26 +271,53 @@ TriangleClosest DistanceTree::measure(const Vec3& p, TriangleId t) const {
   return closestOnTriangle(p, prepared_[placeOf_[t]], std::numeric_limits<double>::infinity());
 }
 
+// Lower bounds of the squared distances to the four boxes of a node.
+DistanceTree::Four DistanceTree::squaredDistances(const Node& n, float x, float y, float z) {
+  const auto four = [](const float* p) { return Eigen::Map<const Four, Eigen::Aligned16>(p); };
+  const Four dx = x - four(n.middle[0]), dy = y - four(n.middle[1]), dz = z - four(n.middle[2]);
+  Four sum = Four::Zero();
+  for (int a = 0; a < 3; ++a) {
+    const Four along = four(n.axis[a][0]) * dx + four(n.axis[a][1]) * dy + four(n.axis[a][2]) * dz;
+    sum += (along.abs() - four(n.half[a])).max(0.0f).square();
+  }
+  return sum;
+}
+
+// Lower bounds of the squared distances to the triangles of a leaf.
+DistanceTree::Four DistanceTree::squaredDistances(const Leaf& leaf, float x, float y, float z) const {
+  const auto height = [&](int plane) -> Four {
+    const auto four = [&](int i) { return Eigen::Map<const Four, Eigen::Aligned16>(leaf.plane[plane][i]); };
+    return four(0) * x + four(1) * y + four(2) * z - four(3);
+  };
+  const Four above = (height(0).abs() - slack_).max(0.0f);
+  const Four beyond = (height(1).max(height(2)).max(height(3)) - slack_).max(0.0f);
+  return above.square() + beyond.square();
+}
+
 bool DistanceTree::nearest(const Vec3& p, Hit& hit) const {
   if (nodes_.empty()) return false;
   const Vec3 q = p - centre_;
   const float x = static_cast<float>(q.x()), y = static_cast<float>(q.y()), z = static_cast<float>(q.z());
-  // Box distances carry the rounding of float products and sums; 1e-6 covers it many times over.
-  constexpr double kShrink = 1 - 1e-6;
+  // Box distances carry the rounding of float products and sums, and axes that are orthonormal in
+  // floats only; 1e-5 covers it many times over.
+  constexpr float kShrink = 1 - 1e-5f;
   struct Entry {
     float d2;
-    std::int32_t child, count;
+    std::int32_t child;
   };
   Entry stack[192];
   int top = 0;
-  stack[top++] = {0, 0, 0};
+  stack[top++] = {0, 0};
   bool found = false;
   while (top > 0) {
     const Entry e = stack[--top];
     if (e.d2 * kShrink > hit.closest.squaredDistance) continue;
     if (e.child < 0) {
-      const auto first = static_cast<std::uint32_t>(-1 - e.child);
-      for (std::uint32_t i = first; i < first + static_cast<std::uint32_t>(e.count); ++i) {
+      const Leaf& leaf = leaves_[static_cast<std::size_t>(-1 - e.child)];
+      const Four least = squaredDistances(leaf, x, y, z) * kShrink;
+      for (std::uint32_t k = 0; k < leaf.count; ++k) {
+        if (least[k] > hit.closest.squaredDistance) continue;
+        const std::uint32_t i = leaf.first + k;
         const TriangleClosest c = closestOnTriangle(p, prepared_[i], hit.closest.squaredDistance);
         if (c.squaredDistance < hit.closest.squaredDistance ||
             (c.squaredDistance == hit.closest.squaredDistance && order_[i] < hit.triangle)) {
@@ -223,20 +328,14 @@ bool DistanceTree::nearest(const Vec3& p, Hit& hit) const {
       continue;
     }
     const Node& n = nodes_[static_cast<std::size_t>(e.child)];
-    float d2[kWidth];
-    for (int k = 0; k < kWidth; ++k) {
-      const float dx = std::max(std::max(n.low[0][k] - x, x - n.high[0][k]), 0.0f);
-      const float dy = std::max(std::max(n.low[1][k] - y, y - n.high[1][k]), 0.0f);
-      const float dz = std::max(std::max(n.low[2][k] - z, z - n.high[2][k]), 0.0f);
-      d2[k] = dx * dx + dy * dy + dz * dz;
-    }
+    const Four d2 = squaredDistances(n, x, y, z);
     Entry next[kWidth];
     int m = 0;
     for (int k = 0; k < kWidth; ++k) {
       if (n.child[k] == kEmpty || d2[k] * kShrink > hit.closest.squaredDistance) continue;
       int at = m++;
       for (; at > 0 && next[at - 1].d2 < d2[k]; --at) next[at] = next[at - 1];  // farthest first
-      next[at] = {d2[k], n.child[k], n.count[k]};
+      next[at] = {d2[k], n.child[k]};
     }
     for (int i = 0; i < m; ++i) stack[top++] = next[i];
   }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Four-wide bounding-volume hierarchy for nearest-triangle queries. Boxes are floats about the
-// centre of the mesh, rounded outwards and grown by the rounding of a query, so that a float
-// comparison never drops the closest triangle; triangles themselves are measured in doubles.
+// Four-wide bounding-volume hierarchy for nearest-triangle queries. Boxes are turned into the mean
+// plane of their triangles: what is asked for are mostly points at the same distance from many
+// triangles, where boxes along the axes around slanting triangles rule out few of them. Boxes are
+// floats about the centre of the mesh, grown by the rounding of a query, so that a float comparison
+// never drops the closest triangle; triangles themselves are measured in doubles.
 #pragma once
 
 #include <cstdint>
@@ -32,22 +34,35 @@ class DistanceTree {
 
  private:
   static constexpr int kWidth = 4;
-  static constexpr std::uint32_t kLeafSize = 4;
+  static constexpr std::uint32_t kLeafSize = kWidth;
   struct alignas(16) Node {
-    float low[3][kWidth];
-    float high[3][kWidth];
-    std::int32_t child[kWidth];  ///< ≥ 0: node; < 0: −1 − first entry of a leaf in order_; kEmpty
-    std::int32_t count[kWidth];  ///< triangles of a leaf
+    float middle[3][kWidth];     ///< of the box, from the centre of the mesh
+    float axis[3][3][kWidth];    ///< of the box: normal and two tangents, orthonormal
+    float half[3][kWidth];       ///< extent along each axis
+    std::int32_t child[kWidth];  ///< ≥ 0: node; < 0: −1 − leaf; kEmpty
+  };
+  /// Four triangles as half-spaces: what lies above or below the plane, or beyond an edge, is at least as
+  /// far as that says.
+  struct alignas(16) Leaf {
+    float plane[4][4][kWidth];  ///< unit normal and height, then for each edge the way out and its height
+    std::uint32_t first;        ///< of order_
+    std::uint32_t count;
   };
   static constexpr std::int32_t kEmpty = INT32_MAX;
 
+  using Four = Eigen::Array<float, kWidth, 1>;
   struct Builder;
 
+  [[nodiscard]] static Four squaredDistances(const Node& n, float x, float y, float z);
+  [[nodiscard]] Four squaredDistances(const Leaf& leaf, float x, float y, float z) const;
+
   std::vector<Node> nodes_;
+  std::vector<Leaf> leaves_;
   std::vector<TriangleId> order_;           ///< triangles, leaf by leaf
   std::vector<PreparedTriangle> prepared_;  ///< in the order of order_
   std::vector<std::uint32_t> placeOf_;      ///< triangle → its place in order_
   Vec3 centre_ = Vec3::Zero();
+  float slack_ = 0;  ///< rounding of a query and of what is stored in floats, mm
 };
 
 }  // namespace thicken

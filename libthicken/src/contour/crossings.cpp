@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "parallel_for.h"
 
@@ -11,114 +12,171 @@ namespace thicken {
 
 namespace {
 
-// Splits one edge at the carrier's crossings; where the labels of a part's ends differ, it crosses.
-void crossEdge(const UniformGrid& grid, const Labels& labels, std::uint64_t edge,
-               std::span<const SurfaceCrossing> carrier, std::vector<Crossing>& out) {
-  const int axis = static_cast<int>(edge & 3);
-  const GridIndex n = UniformGrid::indexOf(edge >> 2);
-  GridIndex up = n;
-  ++up[axis];
-  bool label = labels.inside(n);
-  double from = grid.coordinate(axis, n[axis]);
-  const auto part = [&](double to, bool end) {
-    if (label != end) {
-      Crossing c;
-      c.edge = edge;
-      c.jump = int(end) - int(label);
-      c.from = from;
-      c.to = to;
-      out.push_back(c);
-    }
-    from = to;
-  };
-  for (const SurfaceCrossing& s : carrier) {
-    part(s.at, s.jump < 0);
-    label = s.jump > 0;
-  }
-  part(grid.coordinate(axis, up[axis]), labels.inside(up));
-}
+constexpr double kEndOfSearch = 1.0 / 128;  // of a cell
+constexpr double kCloseEnough = 1e-4;       // of r
+constexpr int kMostSteps = 12;
 
+// Closes in on one crossing along its edge.
 class CrossingSolver {
  public:
-  CrossingSolver(const UniformGrid& grid, const Membership& membership)
-      : grid_(grid), membership_(membership) {}
+  CrossingSolver(const UniformGrid& grid, const NodeField& field, const Membership& membership)
+      : grid_(grid), field_(field), membership_(membership), r_(membership.thickness()) {}
 
   void solve(Crossing& c) const {
-    const int axis = static_cast<int>(c.edge & 3);
-    Vec3 p = grid_.node(UniformGrid::indexOf(c.edge >> 2));
-    const auto probe = [&](double x) {
-      p[axis] = x;
-      return membership_.probe(p);
-    };
-    double in = c.jump < 0 ? c.from : c.to, out = c.jump < 0 ? c.to : c.from;
-    Probe inner = probe(in), outer = probe(out);
+    Search s{static_cast<int>(c.edge & 3), grid_.node(UniformGrid::indexOf(c.edge >> 2))};
+    const bool leaves = c.jump < 0;
+    s.in = end(s, leaves ? c.from : c.to, leaves ? c.fromNode : c.toNode);
+    s.out = end(s, leaves ? c.to : c.from, leaves ? c.toNode : c.fromNode);
     // The ends may lie on the carrier itself, where the probe's sign is rounding.
-    if (!inner.inside()) inner.standing = Standing::kInside;
-    const double small = kEndOfSearch * grid_.width();
-    for (int step = 0; step < kMostSteps && std::abs(out - in) > small; ++step) {
-      double share = 0.5;
-      const double fIn = inner.distance - membership_.thickness();
-      const double fOut = outer.distance - membership_.thickness();
-      if (outer.standing == Standing::kFar && fIn < 0 && fOut > 0 && step % 3 != 2)
-        share = std::clamp(fIn / (fIn - fOut), 0.02, 0.98);
-      const double x = in + share * (out - in);
-      const Probe middle = probe(x);
-      if (middle.standing != Standing::kFront && middle.standing != Standing::kRim &&
-          std::abs(middle.distance - membership_.thickness()) < kCloseEnough * membership_.thickness()) {
-        in = out = x;
-        inner = outer = middle;
-        outer.standing = Standing::kFar;
-        break;
-      }
-      (middle.inside() ? in : out) = x;
-      (middle.inside() ? inner : outer) = middle;
-    }
-    p[axis] = (in + out) / 2;
-    c.at = p;
-    c.beyond = outer.inside() ? Standing::kFar : outer.standing;
-    c.normal = normalOf(c, inner, outer);
+    if (!s.in.probe.inside()) s.in.probe.standing = Standing::kInside;
+    const bool onShell = s.out.probe.standing == Standing::kFar && narrowToShell(s);
+    if (!onShell) narrow(s);
+    s.p[s.axis] = (s.in.x + s.out.x) / 2;
+    c.at = s.p;
+    c.beyond = s.out.probe.inside() ? Standing::kFar : s.out.probe.standing;
+    c.normal = normalOf(c, s);
+    c.placed = true;
   }
 
  private:
-  static constexpr double kEndOfSearch = 1.0 / 128;  // of a cell
-  static constexpr double kCloseEnough = 1e-5;       // of r
-  static constexpr int kMostSteps = 12;
+  struct End {
+    double x = 0;
+    Probe probe;  ///< without `closest` where it comes from the field
+    bool whole = false;
+  };
+  struct Search {
+    int axis;
+    Vec3 p;
+    End in{}, out{};
+  };
 
-  [[nodiscard]] Vec3 normalOf(const Crossing& c, const Probe& inner, const Probe& outer) const {
-    if (c.beyond == Standing::kFar) return (c.at - inner.closest).stableNormalized();
+  [[nodiscard]] End probeAt(Search& s, double x) const {
+    s.p[s.axis] = x;
+    return {x, membership_.probe(s.p), true};
+  }
+
+  [[nodiscard]] End end(Search& s, double x, std::uint32_t node) const {
+    if (node == KeyIndex::kAbsent) return probeAt(s, x);
+    const NodeField::Sample& sample = field_[node];
+    End e{x, {}, false};
+    e.probe.standing = sample.standing;
+    e.probe.distance = sample.distance;
+    return e;
+  }
+
+  // Newton's steps on the distance from S, which is smooth where the shell is; secants where they leave
+  // the bracket. False where the outer end turns out to be something else than too far.
+  [[nodiscard]] bool narrowToShell(Search& s) const {
+    double x = secant(s);
+    for (int step = 0; step < kMostSteps; ++step) {
+      const End e = probeAt(s, x);
+      const Standing standing = e.probe.standing;
+      if (standing != Standing::kInside && standing != Standing::kFar) {
+        s.out = e;
+        return false;
+      }
+      (e.probe.inside() ? s.in : s.out) = e;
+      const double miss = e.probe.distance - r_;
+      if (std::abs(miss) < kCloseEnough * r_) {
+        s.in = s.out = e;
+        s.out.probe.standing = Standing::kFar;
+        return true;
+      }
+      if (std::abs(s.out.x - s.in.x) < kEndOfSearch * grid_.width()) return true;
+      const double slope = (s.p[s.axis] - e.probe.closest[s.axis]) / e.probe.distance;
+      x -= miss / slope;
+      const double low = std::min(s.in.x, s.out.x), high = std::max(s.in.x, s.out.x);
+      if (!(x > low && x < high)) x = step % 3 == 2 ? (s.in.x + s.out.x) / 2 : secant(s);
+    }
+    return true;
+  }
+
+  [[nodiscard]] double secant(const Search& s) const {
+    const double in = s.in.probe.distance - r_, out = s.out.probe.distance - r_;
+    const double share = in < 0 && out > 0 ? std::clamp(in / (in - out), 0.02, 0.98) : 0.5;
+    return s.in.x + share * (s.out.x - s.in.x);
+  }
+
+  // Where the closest point jumps from one place of S to another: the bisector of the two places, and
+  // halving where that does not close in.
+  void narrow(Search& s) const {
+    for (int step = 0; step < kMostSteps && std::abs(s.out.x - s.in.x) > kEndOfSearch * grid_.width();
+         ++step) {
+      double x = (s.in.x + s.out.x) / 2;
+      if (s.in.whole && s.out.whole && step % 3 != 2) {
+        const double target = bisector(s);
+        const double low = std::min(s.in.x, s.out.x), high = std::max(s.in.x, s.out.x);
+        const double margin = kEndOfSearch * grid_.width() / 4;
+        // A step to the side of the farther end, so that both ends close in.
+        const double side = std::abs(target - s.in.x) < std::abs(target - s.out.x) ? margin : -margin;
+        const double next = target + (s.out.x > s.in.x ? side : -side);
+        if (next > low && next < high) x = next;
+      }
+      const End e = probeAt(s, x);
+      (e.probe.inside() ? s.in : s.out) = e;
+    }
+  }
+
+  // The coordinate at which both ends' closest points are equally far.
+  [[nodiscard]] static double bisector(const Search& s) {
+    const Vec3 &a = s.in.probe.closest, &b = s.out.probe.closest;
+    Vec3 q = s.p;
+    q[s.axis] = 0;
+    const double across = 2 * (b[s.axis] - a[s.axis]);
+    return across == 0 ? std::numeric_limits<double>::infinity()
+                       : ((q - b).squaredNorm() - (q - a).squaredNorm()) / across;
+  }
+
+  [[nodiscard]] Vec3 normalOf(const Crossing& c, Search& s) const {
     if (c.beyond == Standing::kRim) return Vec3::Zero();
-    const Vec3 across = outer.closest - inner.closest;  // halfway between two sheets
+    if (!s.in.whole) s.in.probe = probeAt(s, s.in.x).probe;
+    if (c.beyond == Standing::kFar) return (c.at - s.in.probe.closest).stableNormalized();
+    if (!s.out.whole) s.out.probe = probeAt(s, s.out.x).probe;
+    const Vec3 across = s.out.probe.closest - s.in.probe.closest;  // halfway between two sheets
     constexpr double kApart = 0.5;
-    return across.norm() > kApart * inner.distance ? across.stableNormalized() : Vec3::Zero();
+    return across.norm() > kApart * s.in.probe.distance ? across.stableNormalized() : Vec3::Zero();
   }
 
   const UniformGrid& grid_;
+  const NodeField& field_;
   const Membership& membership_;
+  double r_;
 };
 
 }  // namespace
 
-std::vector<Crossing> findCrossings(const UniformGrid& grid, const Labels& labels,
-                                    const std::vector<SurfaceCrossing>& carrier, const RunContext& context,
-                                    int threads) {
-  const std::vector<std::uint64_t> edges = labels.boundaryEdges(context, threads);
-  std::vector<Crossing> crossings;
-  std::size_t e = 0, s = 0;
-  while (e < edges.size() || s < carrier.size()) {
-    const bool fromCarrier = e == edges.size() || (s < carrier.size() && carrier[s].edge <= edges[e]);
-    const std::uint64_t edge = fromCarrier ? carrier[s].edge : edges[e];
-    const std::size_t begin = s;
-    while (s < carrier.size() && carrier[s].edge == edge) ++s;
-    while (e < edges.size() && edges[e] == edge) ++e;
-    crossEdge(grid, labels, edge, std::span(carrier).subspan(begin, s - begin), crossings);
+void crossEdge(const UniformGrid& grid, const NodeField& field, std::uint64_t edge, std::uint32_t low,
+               std::uint32_t high, std::span<const SurfaceCrossing> carrier, std::vector<Crossing>& out) {
+  const bool first = field[low].inside(), last = field[high].inside();
+  if (carrier.empty() && first == last) return;
+  const int axis = static_cast<int>(edge & 3);
+  const int n = UniformGrid::indexOf(edge >> 2)[axis];
+  Crossing c;
+  c.edge = edge;
+  c.from = grid.coordinate(axis, n);
+  c.fromNode = low;
+  bool label = first;
+  const auto part = [&](double to, std::uint32_t toNode, bool end) {
+    c.to = to;
+    c.toNode = toNode;
+    c.jump = int(end) - int(label);
+    if (label != end) out.push_back(c);
+    c.from = to;
+    c.fromNode = toNode;
+  };
+  for (const SurfaceCrossing& s : carrier) {
+    part(s.at, KeyIndex::kAbsent, s.jump < 0);
+    label = s.jump > 0;
   }
-  return crossings;
+  part(grid.coordinate(axis, n + 1), high, last);
 }
 
-void placeCrossings(std::vector<Crossing>& crossings, const UniformGrid& grid, const Membership& membership,
-                    const RunContext& context, int threads) {
-  const CrossingSolver solver(grid, membership);
-  parallelFor(crossings.size(), threads, context, 64, [&](std::size_t i) { solver.solve(crossings[i]); });
+void placeCrossings(std::vector<Crossing>& crossings, const UniformGrid& grid, const NodeField& field,
+                    const Membership& membership, const RunContext& context, int threads) {
+  const CrossingSolver solver(grid, field, membership);
+  parallelFor(crossings.size(), threads, context, 64, [&](std::size_t i) {
+    if (!crossings[i].placed) solver.solve(crossings[i]);
+  });
 }
 
 }  // namespace thicken

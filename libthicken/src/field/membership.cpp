@@ -20,6 +20,7 @@ Probe Membership::probe(const Vec3& p) const {
   result.distance = c.distance;
   result.carrierDistance = onCarrier.distance;
   result.closest = c.point;
+  result.triangle = c.triangle;
   const bool far = c.distance > thickness_;
   if (onCarrier.onRim)
     result.standing = c.onRim         ? Standing::kRim

@@ -22,6 +22,7 @@ struct Probe {
   double distance = 0;          ///< to S, mm
   double carrierDistance = 0;   ///< to Ŝ, mm; at most `distance`
   Vec3 closest = Vec3::Zero();  ///< on S
+  TriangleId triangle = 0;      ///< of S, holds `closest`
   [[nodiscard]] bool inside() const { return standing == Standing::kInside; }
 };
 

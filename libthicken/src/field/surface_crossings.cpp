@@ -11,6 +11,10 @@ namespace thicken {
 
 namespace {
 
+bool before(const SurfaceCrossing& x, const SurfaceCrossing& y) {
+  return x.edge != y.edge ? x.edge < y.edge : x.at != y.at ? x.at < y.at : x.jump < y.jump;
+}
+
 // The crossings of one triangle with the grid edges along one axis.
 class TriangleRaster {
  public:
@@ -95,10 +99,16 @@ std::vector<SurfaceCrossing> surfaceCrossings(const UniformGrid& grid, std::span
   for (const auto& part : parts) count += part.size();
   all.reserve(count);
   for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
-  std::sort(all.begin(), all.end(), [](const SurfaceCrossing& x, const SurfaceCrossing& y) {
-    return x.edge != y.edge ? x.edge < y.edge : x.at != y.at ? x.at < y.at : x.jump < y.jump;
-  });
+  std::sort(all.begin(), all.end(), before);
   return all;
+}
+
+CrossedEdges::CrossedEdges(std::span<const SurfaceCrossing> one, std::span<const SurfaceCrossing> other) {
+  crossings_.resize(one.size() + other.size());
+  std::merge(one.begin(), one.end(), other.begin(), other.end(), crossings_.begin(), before);
+  for (std::uint32_t i = 0; i < crossings_.size(); ++i)
+    if (index_.insert(crossings_[i].edge).second) start_.push_back(i);
+  start_.push_back(static_cast<std::uint32_t>(crossings_.size()));
 }
 
 }  // namespace thicken

@@ -41,7 +41,7 @@ DeepWalls::DeepWalls(const TriangleMesh& surface, const ClosestPointTree& tree, 
     if (swept.region[t] == Region::kWall)
       for (const VertexId v : swept.mesh.triangles[t])
         if (v >= surface.positions.size() && base_[v] == kNone) {
-          base_[v] = baseOf(v);
+          base_[v] = swept.base[v];
           low.push_back(v);
         }
   parallelFor(low.size(), threads, context, 64, [&](std::size_t i) {
@@ -52,32 +52,12 @@ DeepWalls::DeepWalls(const TriangleMesh& surface, const ClosestPointTree& tree, 
   for (const VertexId v : low) place(v);
 }
 
-// Copies follow S's vertices in their order unless some were dropped; else the nearest vertex of S
-// that a wall triangle joins to the copy.
-VertexId DeepWalls::baseOf(VertexId low) const {
-  const auto count = static_cast<VertexId>(surface_.positions.size());
-  if (swept_.droppedCopies == 0 && low < 2 * count) return low - count;
-  double least = std::numeric_limits<double>::infinity();
-  VertexId best = kNone;
-  for (std::size_t t = 0; t < swept_.region.size(); ++t) {
-    const Triangle& w = swept_.mesh.triangles[t];
-    if (swept_.region[t] != Region::kWall || std::find(w.begin(), w.end(), low) == w.end()) continue;
-    for (const VertexId v : w) {
-      const double d = (swept_.mesh.positions[v] - swept_.mesh.positions[low]).norm();
-      if (v >= count || d >= least) continue;
-      least = d;
-      best = v;
-    }
-  }
-  return best;
-}
-
 // How far the copy of `base` may go on in its direction and still gain distance, up to r.
 double DeepWalls::deepest(VertexId low, VertexId base) const {
   const Vec3& from = surface_.positions[base];
   const Vec3 whole = swept_.mesh.positions[low] - from;
   const double way = whole.norm();
-  const double gain = tree_.distance(swept_.mesh.positions[low]) / way;
+  const double gain = swept_.distance[low] / way;
   if (!(way > 0) || gain * way >= kFull * thickness_ || gain < 0.2) return way;
   const Vec3 direction = whole / way;
   const double end = thickness_ / gain;

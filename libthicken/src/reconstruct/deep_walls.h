@@ -25,7 +25,6 @@ class DeepWalls {
   [[nodiscard]] const std::vector<Vec3>& positions() const { return at_; }
 
  private:
-  [[nodiscard]] VertexId baseOf(VertexId low) const;
   [[nodiscard]] double deepest(VertexId low, VertexId base) const;
   void limitSlope();
   void place(VertexId v);

@@ -5,18 +5,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "check/nesting.h"
-#include "contour/dual_surface.h"
 #include "exact/box_tree.h"
-#include "measure/measure.h"
 #include "measure/stopwatch.h"
-#include "mesh/half_edges.h"
 #include "mesh/normals.h"
 #include "parallel_for.h"
 #include "reconstruct/assembly.h"
 #include "reconstruct/carrier.h"
+#include "reconstruct/contourer.h"
 #include "reconstruct/deep_walls.h"
+#include "reconstruct/loose_parts.h"
 #include "reconstruct/settle.h"
 #include "reconstruct/shape.h"
 #include "sweep/sweep.h"
@@ -30,92 +29,6 @@ constexpr int kDefaultRounds = 15;  // of shape optimisation; the paper takes 10
 constexpr int kMostRefinements = 12;
 // Reach of a refinement in cells, and its growth from one to the next, so that they end.
 constexpr double kFirstReach = 0.5, kReachGrowth = 1.25;
-constexpr double kMargin = 3;  // cells around the box grown by r
-
-struct Bounds {
-  Vec3 low, high;
-};
-Bounds boundsOf(const TriangleMesh& mesh) {
-  Bounds b{mesh.positions[mesh.triangles[0][0]], mesh.positions[mesh.triangles[0][0]]};
-  for (const Triangle& t : mesh.triangles)
-    for (const VertexId v : t) {
-      b.low = b.low.cwiseMin(mesh.positions[v]);
-      b.high = b.high.cwiseMax(mesh.positions[v]);
-    }
-  return b;
-}
-
-// Nodes at places that no coordinate of a file is likely to have; another try, other places.
-UniformGrid gridFor(const TriangleMesh& surface, double thickness, double width, int attempt) {
-  const Bounds b = boundsOf(surface);
-  const Vec3 shift{0.3819660112501051, 0.2360679774997896, 0.1458980337503154};
-  Vec3 origin = b.low - Vec3::Constant(thickness + kMargin * width);
-  GridIndex cells{};
-  for (int k = 0; k < 3; ++k) {
-    const double part = shift[k] * (attempt + 1);
-    origin[k] -= width * (part - std::floor(part));
-    cells[k] = static_cast<int>((b.high[k] + thickness + kMargin * width - origin[k]) / width) + 1;
-  }
-  return {origin, width, cells};
-}
-
-// Removes closed pieces of the contour that are but a few cells large: islands and cavities where
-// the field is finer than the grid. Every part of the solid hangs together with S.
-void dropSpecks(Assembly& assembly, double width) {
-  constexpr double kSpeck = 8;  // cells
-  const Components parts = componentsOf(assembly.mesh.positions.size(), assembly.mesh.triangles);
-  std::vector<std::uint8_t> hangs(parts.count, 0);
-  const double inf = std::numeric_limits<double>::infinity();
-  std::vector<Bounds> bounds(parts.count, {Vec3::Constant(inf), Vec3::Constant(-inf)});
-  for (std::size_t t = 0; t < parts.ofTriangle.size(); ++t) {
-    if (t < assembly.carrierTriangles) hangs[parts.ofTriangle[t]] = 1;
-    Bounds& b = bounds[parts.ofTriangle[t]];
-    for (const VertexId v : assembly.mesh.triangles[t]) {
-      b.low = b.low.cwiseMin(assembly.mesh.positions[v]);
-      b.high = b.high.cwiseMax(assembly.mesh.positions[v]);
-    }
-  }
-  std::size_t kept = 0;
-  for (std::size_t t = 0; t < parts.ofTriangle.size(); ++t) {
-    const std::uint32_t part = parts.ofTriangle[t];
-    if (!hangs[part] && (bounds[part].high - bounds[part].low).norm() < kSpeck * width) continue;
-    assembly.mesh.triangles[kept] = assembly.mesh.triangles[t];
-    assembly.region[kept] = assembly.region[t];
-    if (t >= assembly.carrierTriangles)
-      assembly.crossing[kept - assembly.carrierTriangles] = assembly.crossing[t - assembly.carrierTriangles];
-    ++kept;
-  }
-  assembly.mesh.triangles.resize(kept);
-  assembly.region.resize(kept);
-  assembly.crossing.resize(kept - assembly.carrierTriangles);
-}
-
-// Removes closed pieces of a contour without meetings that turned inside out when they were shaped, or
-// that float in nothing: exact, by where their lowest vertex lies.
-void dropMisplaced(Assembly& assembly, int threads) {
-  const TriangleMesh& mesh = assembly.mesh;
-  const Components parts = componentsOf(mesh.positions.size(), mesh.triangles);
-  std::vector<std::uint8_t> hangs(parts.count, 0), drop(parts.count, 0);
-  for (std::size_t t = 0; t < assembly.carrierTriangles; ++t)
-    if (assembly.region[t] == Region::kOriginal) hangs[parts.ofTriangle[t]] = 1;
-  if (std::find(hangs.begin(), hangs.end(), 0) == hangs.end()) return;
-  const HalfEdges edges(mesh.positions.size(), mesh.triangles);
-  const exact::BoxTree tree(mesh.positions, mesh.triangles, threads);
-  const std::vector<VertexId> lowest = lowestVertices(mesh, parts);
-  for (std::uint32_t part = 0; part < parts.count; ++part)
-    drop[part] = !hangs[part] && facesOutward(mesh, edges, lowest[part]) ==
-                                     insideOddNumber(mesh, tree, parts, lowest[part], part);
-  std::size_t kept = 0;
-  for (std::size_t t = 0; t < parts.ofTriangle.size(); ++t) {
-    if (drop[parts.ofTriangle[t]]) continue;
-    assembly.mesh.triangles[kept] = assembly.mesh.triangles[t];
-    assembly.region[kept] = assembly.region[t];
-    ++kept;
-  }
-  assembly.mesh.triangles.resize(kept);
-  assembly.region.resize(kept);
-  assembly.crossing.clear();  // nothing is moved any more
-}
 
 // Everything that one attempt makes; refinement changes `keep` and makes it anew.
 class Attempt {
@@ -123,6 +36,7 @@ class Attempt {
   Attempt(const TriangleMesh& surface, const ClosestPointTree& tree, const SweepResult& swept,
           const Options& options, double width, const RunContext& context, int threads)
       : walls_(surface, tree, swept, options.thickness, context, threads),
+        contourer_(surface, options.thickness, width, context, threads),
         surface_(surface),
         tree_(tree),
         swept_(swept),
@@ -137,19 +51,14 @@ class Attempt {
     const Carrier carrier = makeCarrier(swept_, walls_.positions(), surface_.triangles.size(), keep, width_);
     const ClosestPointTree carrierTree(carrier.mesh);
     const Membership membership(carrierTree, tree_, surface_.triangles.size(), options_.thickness);
-    for (int attempt = 0;; ++attempt) {
-      try {
-        contour(gridFor(surface_, options_.thickness, width_, attempt), carrier, membership, watch);
-        break;
-      } catch (const GridTouches&) {
-        if (attempt == kMostShifts)
-          throw Error(ErrorCode::kNoSolid,
-                      "no grid was found that the surface does not touch; change the cell width");
-      }
-    }
+    watch.lap("sweep");
+    Contour contour = contourer_.contour(carrier, membership, onOpenShell(keep), watch);
+    assembly_ = assemble(carrier, contour.dual, contour.crossings, contour.ways);
+    dropSpecks(assembly_, width_);
+    watch.lap("faces");
     const int rounds = options_.smooth.value_or(kDefaultRounds);
-    const std::vector<Vec3> target =
-        shapedPositions(assembly_, dual_, crossings_, membership, width_, rounds, context_, threads_);
+    const std::vector<Vec3> target = shapedPositions(assembly_, contour.dual, contour.crossings, membership,
+                                                     width_, rounds, context_, threads_);
     std::vector<TriangleId> meeting = settle(assembly_, target, context_, threads_);
     if (meeting.empty()) dropMisplaced(assembly_, threads_);
     watch.lap("shape");
@@ -159,24 +68,21 @@ class Attempt {
   [[nodiscard]] const Assembly& assembly() const { return assembly_; }
 
  private:
-  static constexpr int kMostShifts = 8;
-
-  void contour(const UniformGrid& grid, const Carrier& carrier, const Membership& membership,
-               Stopwatch& watch) {
-    const auto onCarrier =
-        surfaceCrossings(grid, carrier.mesh.positions, carrier.mesh.triangles, context_, threads_);
-    const auto ways = rimWays(grid, carrier.mesh.positions, carrier.rim);
-    const Labels labels(grid, membership, context_, threads_);
-    watch.lap("field");
-    crossings_ = findCrossings(grid, labels, onCarrier, context_, threads_);
-    placeCrossings(crossings_, grid, membership, context_, threads_);
-    dual_ = dualSurface(crossings_, ways, grid, carrier.mesh.positions);
-    assembly_ = assemble(carrier, dual_, crossings_, ways);
-    dropSpecks(assembly_, width_);
-    watch.lap("faces");
+  // Where the sweep found the inner shell and the carrier does not have it.
+  [[nodiscard]] std::vector<Vec3> onOpenShell(std::span<const std::uint8_t> keep) const {
+    constexpr double kFull = 0.98;
+    std::vector<Vec3> points;
+    std::vector<std::uint8_t> seen(swept_.mesh.positions.size(), 0);
+    for (std::size_t t = 0; t < keep.size(); ++t)
+      if (!keep[t])
+        for (const VertexId v : swept_.mesh.triangles[t])
+          if (!std::exchange(seen[v], std::uint8_t{1}) && swept_.distance[v] >= kFull * options_.thickness)
+            points.push_back(swept_.mesh.positions[v]);
+    return points;
   }
 
   DeepWalls walls_;
+  Contourer contourer_;
   const TriangleMesh& surface_;
   const ClosestPointTree& tree_;
   const SweepResult& swept_;
@@ -184,8 +90,6 @@ class Attempt {
   double width_;
   const RunContext& context_;
   int threads_;
-  std::vector<Crossing> crossings_;
-  DualSurface dual_;
   Assembly assembly_;
 };
 
@@ -280,67 +184,14 @@ Reconstruction finish(const Assembly& assembly, const TriangleMesh& surface, con
   return result;
 }
 
-// Refuses what would not fit before any of it is taken, with the width that would.
-void requireMemory(const TriangleMesh& surface, double r, double width, const RunContext& context) {
-  const std::size_t bytes = fieldBytes(surface, width), limit = context.memoryLimit();
-  if (limit == 0) return;
-  const double fits = width * std::sqrt(double(bytes) / double(limit)) * 1.01;
-  context.reserve(
-      bytes, fits < r / 2 ? fmt::format("a cell width of {:.4g} mm would fit", fits)
-                          : std::string("no cell width below half the thickness would fit; thicken a part of "
-                                        "the surface at a time, or ask for a larger thickness"));
-}
-
-void requireCells(const TriangleMesh& surface, double r, double width) {
-  const Bounds b = boundsOf(surface);
-  const double longest = (b.high - b.low).maxCoeff() + 2 * r + 2 * (kMargin + 1) * width;
-  if (longest / width < UniformGrid::kMostCells) return;
-  throw Error(
-      ErrorCode::kNoSolid,
-      fmt::format("cells of {:.4g} mm would be more than {} in a row, and the thickness of {:.4g} mm asks "
-                  "for cells below its half (Remark 1 of the paper); use the method sweep, or ask for a "
-                  "larger thickness",
-                  width, UniformGrid::kMostCells, r));
-}
-
 }  // namespace
-
-double cellWidth(const TriangleMesh& surface, const Options& options) {
-  const double r = options.thickness;
-  if (options.cell) return *options.cell;
-  const Bounds b = boundsOf(surface);
-  const double longest = (b.high - b.low).maxCoeff() + 2 * r;
-  if (options.resolution) {
-    const double w = longest / *options.resolution;
-    if (w >= r / 2)
-      throw Error(
-          ErrorCode::kInvalidArgument,
-          fmt::format("a resolution of {} gives cells {:.4g} mm wide, which is not less than half the "
-                      "thickness (Remark 1 of the paper); ask for a resolution of {} or more",
-                      *options.resolution, w, static_cast<int>(std::floor(2 * longest / r)) + 1));
-    return w;
-  }
-  // r/4 is round to within 1 %; coarser where that would take very many cells.
-  constexpr double kManyCells = 4e5;
-  const double byArea = std::sqrt(areaOf(surface) / kManyCells);
-  return std::clamp(byArea, r / 4, r / 2.2);
-}
-
-std::size_t fieldBytes(const TriangleMesh& surface, double width) {
-  // Measured: what a crossing costs in all its forms, with a margin; and crossings per w² of shell,
-  // the mean of |n_x| + |n_y| + |n_z| with another for what the shell is larger than S.
-  constexpr double kPerCrossing = 1500;
-  constexpr double kCrossings = 1.5 * 1.25;
-  return static_cast<std::size_t>(
-      std::min(1e18, kPerCrossing * kCrossings * areaOf(surface) / (width * width)));
-}
 
 Reconstruction reconstruct(const TriangleMesh& surface, const ClosestPointTree& tree, const Options& options,
                            const RunContext& context, int threads, Stopwatch& watch) {
   const double width = cellWidth(surface, options);
-  requireCells(surface, options.thickness, width);
-  requireMemory(surface, options.thickness, width, context);
-  SweepResult swept = sweep(surface, tree, options.thickness, Side::kNegative, context, threads);
+  requireRoomForField(surface, options.thickness, width, context);
+  SweepResult swept =
+      sweep(surface, tree, options.thickness, Side::kNegative, context, threads, Polish::kNo);
   watch.lap("sweep");
   std::vector<std::uint8_t> keep(swept.mesh.triangles.size(), 0), isShell(keep.size(), 0);
   for (std::size_t t = 0; t < keep.size(); ++t) {

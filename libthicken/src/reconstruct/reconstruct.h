@@ -31,6 +31,10 @@ struct Reconstruction {
 /// Bytes that the field and its contour take at their peak, beyond what the sweep takes.
 [[nodiscard]] std::size_t fieldBytes(const TriangleMesh& surface, double width);
 
+/// Throws where cells of `width` are too many for the grid's keys or, before any of it is taken, too many
+/// for the memory limit, with the width that would fit.
+void requireRoomForField(const TriangleMesh& surface, double r, double width, const RunContext& context);
+
 /// Reconstructs on the negative side of `surface` (valid, welded; `tree` is its tree). Throws kNoSolid
 /// with the place, kMemoryLimit, kCancelled. Stages are added to `watch`.
 [[nodiscard]] Reconstruction reconstruct(const TriangleMesh& surface, const ClosestPointTree& tree,

@@ -136,19 +136,25 @@ std::size_t settle(SweptMesh& mesh, const VertexTriangles& around, const RunCont
   }
 }
 
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+// Distance of every copy from S; infinite for those that were dropped.
+std::vector<double> copyDistances(const SweptMesh& mesh, const ClosestPointTree& tree,
+                                  const RunContext& context, int threads) {
+  std::vector<double> distance(mesh.copies.size(), kInfinite);
+  parallelFor(mesh.copies.size(), threads, context, 512, [&](std::size_t i) {
+    if (!mesh.copies[i].dropped) distance[i] = tree.distance(mesh.positions[mesh.vertexOf(i)]);
+  });
+  return distance;
+}
+
 // Depth below each vertex of S: the distance of its copy from S, of two copies the lesser; without a
 // copy the distance to the shell.
-std::vector<double> depthsOf(const SweptMesh& mesh, const ClosestPointTree& tree, const RunContext& context,
-                             int threads) {
-  constexpr double kInfinite = std::numeric_limits<double>::infinity();
-  std::vector<double> way(mesh.copies.size(), kInfinite);
-  parallelFor(mesh.copies.size(), threads, context, 512, [&](std::size_t i) {
-    if (!mesh.copies[i].dropped) way[i] = tree.distance(mesh.positions[mesh.vertexOf(i)]);
-  });
+std::vector<double> depthsOf(const SweptMesh& mesh, std::span<const double> distance) {
   std::vector<double> depth(mesh.surfaceVertices, kInfinite);
-  for (std::size_t i = 0; i < way.size(); ++i) {
+  for (std::size_t i = 0; i < distance.size(); ++i) {
     double& d = depth[mesh.copies[i].base];
-    d = std::min(d, way[i]);
+    d = std::min(d, distance[i]);
   }
   if (std::none_of(mesh.copies.begin(), mesh.copies.end(), [](const Copy& c) { return c.dropped; }))
     return depth;
@@ -167,7 +173,8 @@ SweepResult finish(const SweptMesh& mesh, const ClosestPointTree& tree, Side sid
                    const RunContext& context, int threads) {
   SweepResult result;
   result.rounds = rounds;
-  result.depth = depthsOf(mesh, tree, context, threads);
+  const std::vector<double> distance = copyDistances(mesh, tree, context, threads);
+  result.depth = depthsOf(mesh, distance);
   std::vector<VertexId> to(mesh.positions.size());
   for (VertexId v = 0; v < mesh.positions.size(); ++v) {
     if (mesh.isCopy(v) && mesh.copyOf(v).dropped) {
@@ -176,6 +183,8 @@ SweepResult finish(const SweptMesh& mesh, const ClosestPointTree& tree, Side sid
     }
     to[v] = static_cast<VertexId>(result.mesh.positions.size());
     result.mesh.positions.push_back(mesh.positions[v]);
+    result.base.push_back(mesh.isCopy(v) ? mesh.copyOf(v).base : v);
+    result.distance.push_back(mesh.isCopy(v) ? distance[v - mesh.surfaceVertices] : 0);
   }
   const std::size_t first = side == Side::kBoth ? mesh.surfaceTriangles : 0;  // S lies inside then
   for (std::size_t t = first; t < mesh.triangles.size(); ++t) {
@@ -189,7 +198,7 @@ SweepResult finish(const SweptMesh& mesh, const ClosestPointTree& tree, Side sid
 }  // namespace
 
 SweepResult sweep(const TriangleMesh& surface, const ClosestPointTree& tree, double thickness, Side side,
-                  const RunContext& context, int threads) {
+                  const RunContext& context, int threads, Polish polishing) {
   const auto normal = faceNormals(surface.positions, surface.triangles);
   const auto around = vertexTriangles(surface.positions.size(), surface.triangles);
   const Rim rim = rimOf(surface.positions.size(), surface.triangles);
@@ -201,7 +210,7 @@ SweepResult sweep(const TriangleMesh& surface, const ClosestPointTree& tree, dou
   dropOrThrow(mesh, around, unserved);
   setInitialDepths(mesh, tree, context, threads);
   for (std::size_t i = 0; i < mesh.copies.size(); ++i) mesh.place(i);
-  polish(mesh, tree, context, threads);
+  if (polishing == Polish::kYes) polish(mesh, tree, context, threads);
   const std::size_t rounds = settle(mesh, around, context, threads);
   return finish(mesh, tree, side, rounds, context, threads);
 }

@@ -16,16 +16,22 @@
 namespace thicken {
 
 struct SweepResult {
-  TriangleMesh mesh;               ///< S's vertices and triangles first (on kBoth: no triangles of S)
-  std::vector<Region> region;      ///< per triangle
-  std::vector<double> depth;       ///< mm per vertex of S: distance from its copy to S
+  TriangleMesh mesh;             ///< S's vertices and triangles first (on kBoth: no triangles of S)
+  std::vector<Region> region;    ///< per triangle
+  std::vector<VertexId> base;    ///< per vertex: the vertex of S that it is a copy of; S's own: itself
+  std::vector<double> distance;  ///< mm per vertex: to S; 0 for S's own
+  std::vector<double> depth;     ///< mm per vertex of S: distance from its copy to S
   std::size_t droppedCopies = 0;
   std::size_t rounds = 0;
 };
 
+/// Whether copies are moved to their exact distance, which the sweep itself does not need.
+enum class Polish : std::uint8_t { kNo, kYes };
+
 /// Sweeps `surface` (valid, welded) by `thickness` mm to its negative side or to both. `tree` is the
 /// tree of `surface`. Throws kNoSolid with the place where not even the least depth is clear.
 [[nodiscard]] SweepResult sweep(const TriangleMesh& surface, const ClosestPointTree& tree, double thickness,
-                                Side side, const RunContext& context, int threads);
+                                Side side, const RunContext& context, int threads,
+                                Polish polishing = Polish::kYes);
 
 }  // namespace thicken

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Axis-parallel bounding boxes in doubles.
+#pragma once
+
+#include <limits>
+
+#include "thicken/mesh.h"
+
+namespace thicken {
+
+struct Bounds {
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
+  Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity());
+  void add(const Vec3& p) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+};
+
+/// Of the vertices that triangles use.
+[[nodiscard]] inline Bounds boundsOf(const TriangleMesh& mesh) {
+  Bounds b;
+  for (const Triangle& t : mesh.triangles)
+    for (const VertexId v : t) b.add(mesh.positions[v]);
+  return b;
+}
+
+}  // namespace thicken

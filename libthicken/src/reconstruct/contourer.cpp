@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "reconstruct/contourer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "contour/follow.h"
+#include "measure/stopwatch.h"
+#include "mesh/bounds.h"
+#include "parallel_for.h"
+#include "thicken/error.h"
+
+namespace thicken {
+
+namespace {
+
+constexpr double kMargin = 3;  // cells around the box grown by r
+constexpr int kMostShifts = 8;
+
+// Nodes at places that no coordinate of a file is likely to have; another try, other places.
+UniformGrid gridFor(const TriangleMesh& surface, double thickness, double width, int attempt) {
+  const Bounds b = boundsOf(surface);
+  const Vec3 shift{0.3819660112501051, 0.2360679774997896, 0.1458980337503154};
+  Vec3 origin = b.low - Vec3::Constant(thickness + kMargin * width);
+  GridIndex cells{};
+  for (int k = 0; k < 3; ++k) {
+    const double part = shift[k] * (attempt + 1);
+    origin[k] -= width * (part - std::floor(part));
+    cells[k] = static_cast<int>((b.high[k] + thickness + kMargin * width - origin[k]) / width) + 1;
+  }
+  return {origin, width, cells};
+}
+
+bool before(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b) {
+  for (int k = 0; k < 3; ++k)
+    for (int x = 0; x < 3; ++x)
+      if (a[k][x] != b[k][x]) return a[k][x] < b[k][x];
+  return false;
+}
+
+TriangleMesh meshOf(std::span<const std::array<Vec3, 3>> corners) {
+  TriangleMesh mesh;
+  for (const auto& c : corners) {
+    const auto first = static_cast<VertexId>(mesh.positions.size());
+    mesh.triangles.push_back({first, first + 1, first + 2});
+    mesh.positions.insert(mesh.positions.end(), c.begin(), c.end());
+  }
+  return mesh;
+}
+
+std::vector<GridIndex> seedCells(const UniformGrid& grid, const std::vector<RimWay>& ways,
+                                 std::span<const Vec3> seeds) {
+  std::vector<GridIndex> cells;
+  for (const RimWay& way : ways)
+    for (const RimVisit& visit : way) cells.push_back(visit.cell);
+  for (const Vec3& p : seeds)
+    cells.push_back({grid.indexBelow(0, p.x()), grid.indexBelow(1, p.y()), grid.indexBelow(2, p.z())});
+  return cells;
+}
+
+}  // namespace
+
+Contourer::Contourer(const TriangleMesh& surface, double thickness, double width, const RunContext& context,
+                     int threads)
+    : surface_(surface), thickness_(thickness), width_(width), context_(context), threads_(threads) {}
+
+Contour Contourer::contour(const Carrier& carrier, const Membership& membership, std::span<const Vec3> seeds,
+                           Stopwatch& watch) {
+  for (;;) {
+    try {
+      if (!field_) startGrid();
+      return attempt(carrier, membership, seeds, watch);
+    } catch (const GridTouches&) {
+      if (shifts_ == kMostShifts)
+        throw Error(ErrorCode::kNoSolid,
+                    "no grid was found that the surface does not touch; change the cell width");
+      field_.reset();
+    }
+  }
+}
+
+void Contourer::startGrid() {
+  grid_ = gridFor(surface_, thickness_, width_, ++shifts_);
+  onSurface_ = surfaceCrossings(grid_, surface_.positions, surface_.triangles, context_, threads_);
+  field_.emplace(grid_);
+  beyondSurface_.clear();
+  changed_.reset();
+  last_.clear();
+}
+
+Contour Contourer::attempt(const Carrier& carrier, const Membership& membership, std::span<const Vec3> seeds,
+                           Stopwatch& watch) {
+  const std::span<const Triangle> beyond =
+      std::span(carrier.mesh.triangles).subspan(surface_.triangles.size());
+  const CrossedEdges crossed(onSurface_,
+                             surfaceCrossings(grid_, carrier.mesh.positions, beyond, context_, threads_));
+  Contour made;
+  made.ways = rimWays(grid_, carrier.mesh.positions, carrier.rim);
+  std::vector<Corners> corners(beyond.size());
+  for (std::size_t t = 0; t < beyond.size(); ++t)
+    for (int k = 0; k < 3; ++k) corners[t][k] = carrier.mesh.positions[beyond[t][k]];
+  forgetChanges(std::move(corners));
+  made.crossings = followContour(grid_, seedCells(grid_, made.ways, seeds), crossed, membership, *field_,
+                                 context_, threads_);
+  watch.lap("field");
+  recall(made.crossings);
+  placeCrossings(made.crossings, grid_, *field_, membership, context_, threads_);
+  last_ = made.crossings;
+  made.dual = dualSurface(made.crossings, made.ways, grid_, carrier.mesh.positions);
+  return made;
+}
+
+// Before the first carrier there is nothing to forget.
+void Contourer::forgetChanges(std::vector<Corners> beyondSurface) {
+  std::sort(beyondSurface.begin(), beyondSurface.end(), before);
+  std::vector<Corners> changes;
+  std::set_symmetric_difference(beyondSurface.begin(), beyondSurface.end(), beyondSurface_.begin(),
+                                beyondSurface_.end(), std::back_inserter(changes), before);
+  beyondSurface_ = std::move(beyondSurface);
+  changed_.reset();
+  if (changes.empty() || field_->size() == 0) return;
+  changed_.emplace(meshOf(changes));
+  field_->forget(*changed_, context_, threads_);
+}
+
+// Takes over where crossings lie that the changes are too far from to have moved.
+void Contourer::recall(std::vector<Crossing>& crossings) const {
+  constexpr double kSure = 1.01;
+  parallelFor(crossings.size(), threads_, context_, 256, [&](std::size_t i) {
+    Crossing& c = crossings[i];
+    auto old = std::lower_bound(last_.begin(), last_.end(), c, [](const Crossing& a, const Crossing& b) {
+      return a.edge != b.edge ? a.edge < b.edge : a.from < b.from;
+    });
+    if (old == last_.end() || old->edge != c.edge || old->from != c.from || old->to != c.to ||
+        old->jump != c.jump)
+      return;
+    if (changed_ && changed_->closest(old->at, kSure * thickness_)) return;
+    c = *old;
+  });
+}
+
+}  // namespace thicken

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// The contour that closes a carrier's rim. Carriers come one after another, each with more of the sweep
+// than the one before: what is still true of the last one's field and crossings is not computed again.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "contour/dual_surface.h"
+#include "field/node_field.h"
+#include "reconstruct/carrier.h"
+
+namespace thicken {
+
+class Stopwatch;
+
+struct Contour {
+  std::vector<Crossing> crossings;
+  std::vector<RimWay> ways;
+  DualSurface dual;
+};
+
+class Contourer {
+ public:
+  /// `tree` is the surface's; both must outlive the contourer.
+  Contourer(const TriangleMesh& surface, double thickness, double width, const RunContext& context,
+            int threads);
+
+  /// The contour of what lies in H and is not closed off by `carrier`, whose first triangles are those of
+  /// the surface. `seeds` are points of the inner shell that hangs together with no rim.
+  [[nodiscard]] Contour contour(const Carrier& carrier, const Membership& membership,
+                                std::span<const Vec3> seeds, Stopwatch& watch);
+
+  /// Nodes that were evaluated.
+  [[nodiscard]] std::size_t nodes() const { return field_ ? field_->size() : 0; }
+
+ private:
+  using Corners = std::array<Vec3, 3>;
+
+  void startGrid();
+  [[nodiscard]] Contour attempt(const Carrier& carrier, const Membership& membership,
+                                std::span<const Vec3> seeds, Stopwatch& watch);
+  void forgetChanges(std::vector<Corners> beyondSurface);
+  void recall(std::vector<Crossing>& crossings) const;
+
+  const TriangleMesh& surface_;
+  double thickness_, width_;
+  const RunContext& context_;
+  int threads_;
+  int shifts_ = -1;
+  UniformGrid grid_;
+  std::vector<SurfaceCrossing> onSurface_;
+  std::optional<NodeField> field_;
+  std::vector<Corners> beyondSurface_;  ///< triangles of the last carrier that are not S's, sorted
+  std::optional<ClosestPointTree> changed_;
+  std::vector<Crossing> last_;
+};
+
+}  // namespace thicken

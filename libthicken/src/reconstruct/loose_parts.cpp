@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "reconstruct/loose_parts.h"
+
+#include "check/nesting.h"
+#include "exact/box_tree.h"
+#include "mesh/bounds.h"
+#include "mesh/half_edges.h"
+
+namespace thicken {
+
+// Removes closed pieces of the contour that are but a few cells large: islands and cavities where
+// the field is finer than the grid. Every part of the solid hangs together with S.
+void dropSpecks(Assembly& assembly, double width) {
+  constexpr double kSpeck = 8;  // cells
+  const Components parts = componentsOf(assembly.mesh.positions.size(), assembly.mesh.triangles);
+  std::vector<std::uint8_t> hangs(parts.count, 0);
+  std::vector<Bounds> bounds(parts.count);
+  for (std::size_t t = 0; t < parts.ofTriangle.size(); ++t) {
+    if (t < assembly.carrierTriangles) hangs[parts.ofTriangle[t]] = 1;
+    for (const VertexId v : assembly.mesh.triangles[t])
+      bounds[parts.ofTriangle[t]].add(assembly.mesh.positions[v]);
+  }
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < parts.ofTriangle.size(); ++t) {
+    const std::uint32_t part = parts.ofTriangle[t];
+    if (!hangs[part] && (bounds[part].high - bounds[part].low).norm() < kSpeck * width) continue;
+    assembly.mesh.triangles[kept] = assembly.mesh.triangles[t];
+    assembly.region[kept] = assembly.region[t];
+    if (t >= assembly.carrierTriangles)
+      assembly.crossing[kept - assembly.carrierTriangles] = assembly.crossing[t - assembly.carrierTriangles];
+    ++kept;
+  }
+  assembly.mesh.triangles.resize(kept);
+  assembly.region.resize(kept);
+  assembly.crossing.resize(kept - assembly.carrierTriangles);
+}
+
+// Removes closed pieces of a contour without meetings that turned inside out when they were shaped, or
+// that float in nothing: exact, by where their lowest vertex lies.
+void dropMisplaced(Assembly& assembly, int threads) {
+  const TriangleMesh& mesh = assembly.mesh;
+  const Components parts = componentsOf(mesh.positions.size(), mesh.triangles);
+  std::vector<std::uint8_t> hangs(parts.count, 0), drop(parts.count, 0);
+  for (std::size_t t = 0; t < assembly.carrierTriangles; ++t)
+    if (assembly.region[t] == Region::kOriginal) hangs[parts.ofTriangle[t]] = 1;
+  if (std::find(hangs.begin(), hangs.end(), 0) == hangs.end()) return;
+  const HalfEdges edges(mesh.positions.size(), mesh.triangles);
+  const exact::BoxTree tree(mesh.positions, mesh.triangles, threads);
+  const std::vector<VertexId> lowest = lowestVertices(mesh, parts);
+  for (std::uint32_t part = 0; part < parts.count; ++part)
+    drop[part] = !hangs[part] && facesOutward(mesh, edges, lowest[part]) ==
+                                     insideOddNumber(mesh, tree, parts, lowest[part], part);
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < parts.ofTriangle.size(); ++t) {
+    if (drop[parts.ofTriangle[t]]) continue;
+    assembly.mesh.triangles[kept] = assembly.mesh.triangles[t];
+    assembly.region[kept] = assembly.region[t];
+    ++kept;
+  }
+  assembly.mesh.triangles.resize(kept);
+  assembly.region.resize(kept);
+  assembly.crossing.clear();  // nothing is moved any more
+}
+
+}  // namespace thicken

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Closed pieces of the contour that hang together with nothing and bound nothing that H has.
+#pragma once
+
+#include "reconstruct/assembly.h"
+
+namespace thicken {
+
+/// Removes pieces that are but a few cells large: islands and cavities where the field is finer than the
+/// grid. Every part of the solid hangs together with S.
+void dropSpecks(Assembly& assembly, double width);
+
+/// Removes pieces of a contour without meetings that turned inside out when they were shaped, or that
+/// float in nothing: exact, by where their lowest vertex lies. Crossings are no longer told after it.
+void dropMisplaced(Assembly& assembly, int threads);
+
+}  // namespace thicken
