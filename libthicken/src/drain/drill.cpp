@@ -171,6 +171,9 @@ std::optional<DrilledSolid> drillOne(const TriangleMesh& mesh,
       require(result, context, threads);
       result.mesh = weld(result.mesh);
       return result;
+    } catch (const drain::TooSteep& failure) {
+      reason = failure.what();
+      if (attempt > 0) return std::nullopt;
     } catch (const CannotCut& failure) {
       reason = failure.what();
     }
