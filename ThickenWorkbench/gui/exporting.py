@@ -24,10 +24,9 @@ def export(obj: Any) -> None:
     path = _ask(obj)
     if path is None:
         return
-    line = f"exported = {macro.call('export_for_printing', obj, str(path))}"
     QtWidgets.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
     try:
-        macro.run(line)
+        macro.assign("exported", macro.call("export_for_printing", obj, str(path)))
     except Exception as error:  # told to the user; the file is not there
         QtWidgets.QApplication.restoreOverrideCursor()
         messages.warn(translate("Thicken", "Nothing was written"), str(error))
