@@ -69,30 +69,32 @@ std::vector<std::vector<std::uint32_t>> groupsOf(const ShellSurgery& shell,
 }
 
 // Drops one group of copies. Where its hole cannot be filled, one more copy around it may do; else all
-// around it are dropped as well, and so on.
-void dropGroup(const SweptMesh& mesh, ShellSurgery& shell, std::vector<std::uint32_t> copies) {
+// around it are dropped as well, and so on. Returns whether it was possible.
+bool dropGroup(ShellSurgery& shell, std::vector<std::uint32_t> copies) {
   for (int growths = 0;; ++growths) {
     const auto around = shell.drop(copies);
-    if (around.empty()) return;
+    if (around.empty()) return true;
     const std::size_t before = copies.size();
     for (const std::uint32_t i : around) {
       auto more = copies;
       more.push_back(i);
-      if (shell.drop(more).empty()) return;
+      if (shell.drop(more).empty()) return true;
     }
     copies.insert(copies.end(), around.begin(), around.end());
     sortUnique(copies);
-    if (growths == kMostGrowths || copies.size() == before) throwNoSolid(mesh, copies);
+    if (growths == kMostGrowths || copies.size() == before) return false;
   }
 }
 
 void dropOrThrow(SweptMesh& mesh, const VertexTriangles& around, const std::vector<std::uint32_t>& copies) {
   if (copies.empty()) return;
   ShellSurgery shell(mesh, around);
+  std::vector<std::uint32_t> stuck;  // of all groups, so that an error names every place at once
   for (auto& group : groupsOf(shell, copies)) {
     std::erase_if(group, [&](std::uint32_t i) { return mesh.copies[i].dropped; });  // by another's growth
-    if (!group.empty()) dropGroup(mesh, shell, std::move(group));
+    if (!group.empty() && !dropGroup(shell, group)) stuck.insert(stuck.end(), group.begin(), group.end());
   }
+  if (!stuck.empty()) throwNoSolid(mesh, stuck);
 }
 
 // Merges copies without a direction with a neighbour, nearest first: slivers that are folded over
