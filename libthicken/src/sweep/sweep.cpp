@@ -32,12 +32,12 @@ namespace {
 constexpr int kMostRefills = 12;
 constexpr int kMostGrowths = 4;
 
-[[noreturn]] void throwNoSolid(const SweptMesh& mesh, const std::vector<std::uint32_t>& stuck) {
-  const VertexId v = mesh.copies[stuck.front()].base;
+[[noreturn]] void throwNoSolidAt(const SweptMesh& mesh, const std::vector<VertexId>& vertices) {
+  const VertexId v = vertices.front();
   const Vec3& p = mesh.positions[v];
   Defect d;
   d.code = ErrorCode::kNoSolid;
-  for (const std::uint32_t i : stuck) d.vertices.push_back(mesh.copies[i].base);
+  d.vertices = vertices;
   sortUnique(d.vertices);
   d.count = d.vertices.size();
   d.vertices.resize(std::min(d.vertices.size(), Defect::kMaxListed));
@@ -49,6 +49,12 @@ constexpr int kMostGrowths = 4;
       d.count, v, p.x(), p.y(), p.z());
   const std::string sentence = d.sentence;
   throw Error(ErrorCode::kNoSolid, sentence, {std::move(d)});
+}
+
+[[noreturn]] void throwNoSolid(const SweptMesh& mesh, const std::vector<std::uint32_t>& stuck) {
+  std::vector<VertexId> vertices;
+  for (const std::uint32_t i : stuck) vertices.push_back(mesh.copies[i].base);
+  throwNoSolidAt(mesh, vertices);
 }
 
 // The copies in groups of neighbours, so that each hole is treated by itself.
@@ -129,6 +135,7 @@ std::size_t settle(SweptMesh& mesh, const VertexTriangles& around, const RunCont
     ConflictTester tester(mesh, context, threads);
     const RetreatResult result = retreat(mesh, graph, tester, context);
     rounds += result.rounds;
+    if (!result.buried.empty()) throwNoSolidAt(mesh, result.buried);
     if (result.stuck.empty()) {
       advance(mesh, graph, tester, goal, context);
       return rounds;
