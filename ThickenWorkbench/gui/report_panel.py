@@ -11,14 +11,21 @@ import FreeCADGui as Gui
 
 from .. import preferences
 from ..printability import printability
+from ..sources import bound_box
 from . import macro, messages
+from .camera import go_to, view_of
 from .directions import direction, direction_box
 from .job import Job
+from .overlay import over_view, points
 from .qt import QtCore, QtWidgets, length_box, on_value, standard_buttons
+from .report_summary import place_of, summary
 
 translate = App.Qt.translate
 
 _PAUSE_MS = 300
+
+# So much of the diagonal is shown around a place.
+_AROUND = 0.15
 
 
 class ReportPanel:
@@ -31,7 +38,10 @@ class ReportPanel:
         self._timer = QtCore.QTimer()
         self._timer.setSingleShot(True)
         self._timer.timeout.connect(self._compute)
+        self._view = view_of(solid.Document)
+        self._overlay = over_view(self._view)
         self._build()
+        Gui.Selection.clearSelection()
         self._edited()
 
     def getStandardButtons(self) -> Any:
@@ -44,7 +54,14 @@ class ReportPanel:
         self._timer.stop()
         if self._job is not None:
             self._job.abandon()
+        self._overlay.remove()
         return True
+
+    def go(self, link: Any) -> None:
+        """Go to the place that a link of the summary names."""
+        place = place_of(link.toString())
+        go_to(self._view, place, _AROUND * bound_box(self.solid).DiagonalLength)
+        self._overlay.show(points([place], preferences.colour("ColorDefect"), 12.0))
 
     def _build(self) -> None:
         self.form = QtWidgets.QWidget()
@@ -61,6 +78,8 @@ class ReportPanel:
         on_value(self.minimum, lambda _: self._edited())
         rows.addRow(translate("Thicken", "Thinnest wall that prints"), self.minimum)
         self.facts = QtWidgets.QTextBrowser()
+        self.facts.setOpenLinks(False)
+        self.facts.anchorClicked.connect(self.go)
         self.facts.setObjectName("Facts")
         self.facts.setMinimumHeight(320)
         column.addWidget(self.facts, 1)
@@ -80,6 +99,7 @@ class ReportPanel:
             self._job.abandon()
             self._job = None
         self.report = None
+        self._overlay.show()
         self.save.setEnabled(False)
         self.facts.setPlainText(translate("Thicken", "Measuring …"))
         self._timer.start(_PAUSE_MS)
@@ -112,8 +132,3 @@ class ReportPanel:
             macro.run(macro.call("write_report", self.solid, name, **self._inputs()))
         except OSError as error:
             messages.warn(translate("Thicken", "Nothing was written"), str(error))
-
-
-def summary(report: Any) -> str:
-    """The facts as a table for a narrow panel."""
-    raise NotImplementedError

@@ -31,8 +31,8 @@ class Printing(GuiCase):
             if not isinstance(dialog, QtGui.QFileDialog):
                 QtCore.QTimer.singleShot(50, fill)
                 return
-            dialog.selectFile(str(path))
-            dialog.accept()
+            dialog.findChild(QtGui.QLineEdit, "fileNameEdit").setText(str(path))
+            click(dialog.findChild(QtGui.QDialogButtonBox).button(QtGui.QDialogButtonBox.Save))
 
         QtCore.QTimer.singleShot(50, fill)
 
@@ -96,3 +96,80 @@ class DrainHoles(Printing):
         plugs = self.doc.getObject("Plugs")
         self.assertTrue(plugs.Valid, plugs.getStatusString())
         self.assertTrue(plugs.Mesh.isSolid())
+
+
+class Report(Printing):
+    def open(self):
+        solid = self.hollow()
+        self.select(solid)
+        panel = self.run_command("Thicken_Report")
+        wait_until(lambda: panel.report is not None, "the report is there")
+        return solid, panel
+
+    def test_trapped_resin_is_named_and_gone_to(self):
+        solid, panel = self.open()
+        text = self.child(panel, "Facts").toPlainText()
+        self.assertIn("traps", text)
+        self.assertIn("20 × 20 × 20 mm", text)
+        self.picture("report")
+        camera = Gui.activeDocument().activeView().getCameraNode()
+        before = camera.height.getValue()
+        (cavity,) = panel.report["trapped"]
+        panel.go(QtCore.QUrl("place:" + ",".join(str(part) for part in cavity["lowest_place_mm"])))
+        self.assertLess(camera.height.getValue(), before)
+        x, y = Gui.activeDocument().activeView().getPointOnScreen(App.Vector(*cavity["lowest_place_mm"]))
+        width, height = Gui.activeDocument().activeView().getSize()
+        self.assertAlmostEqual(x / width, 0.5, delta=0.05)
+        self.press("Close")
+        self.wait_closed()
+
+    def test_it_follows_the_inputs(self):
+        solid, panel = self.open()
+        self.assertNotIn("thinner than 1.9", self.child(panel, "Facts").toPlainText())
+        type_text(self.child(panel, "Minimum"), "1.9 mm")
+        wait_until(lambda: panel.report is not None, "the report is there again")
+        self.assertIn("thinner than 1.9", self.child(panel, "Facts").toPlainText())
+
+    def test_it_is_saved(self):
+        solid, panel = self.open()
+        target = self.folder / "cube.html"
+        self.answer_file_dialog(target)
+        click(self.child(panel, "Save"))
+        wait_until(target.is_file, "the page is written")
+        self.assertIn("<img", target.read_text())
+        self.assertTrue(target.with_suffix(".json").is_file())
+
+
+class Export(Printing):
+    def test_a_file_is_written_and_judged(self):
+        self.select(self.add_mesh(saddle()))
+        self.run_command("Thicken_Make")
+        self.press("Ok")
+        self.wait_closed()
+        path = self.folder / "clicked.FCStd"
+        self.doc.saveAs(str(path))
+        App.closeDocument(self.doc.Name)
+        self.doc = App.openDocument(str(path))
+        process_events()
+        feature = self.doc.getObject("Thicken")
+        self.assertTrue(feature.Valid)
+        self.assertFalse(self.doc.isTouched())
+        self.select(feature)
+        target = self.folder / "clicked.stl"
+        self.answer_file_dialog(target)
+        self.run_command("Thicken_Export")
+        corners = thicken_judge.read_stl(target)
+        self.assertTrue(thicken_judge.is_closed_and_oriented(corners))
+        vertices, triangles = mesh_io.arrays_from_mesh(self.doc.getObject("Scan").Mesh)
+        self.assertTrue(thicken_judge.keeps(corners, vertices[triangles]))
+        self.assertEqual(len(self.messages), 1)
+        self.assertIn("proved valid", self.messages[0])
+
+    def test_a_surface_is_no_part(self):
+        self.select(self.add_mesh(saddle()))
+        target = self.folder / "open.stl"
+        self.answer_file_dialog(target)
+        self.run_command("Thicken_Export")
+        self.assertFalse(target.exists())
+        self.assertEqual(len(self.messages), 1)
+        self.assertIn("not a valid solid", self.messages[0])
