@@ -171,15 +171,16 @@ Solid solidOf(const TriangleMesh& surface, const SurfaceFacts& input, const Opti
 // Where a repair is asked for, folds that no wall fits below are opened, a few triangles at a time.
 Solid solidOfRepaired(RepairResult& surface, const Options& options, RunContext context, int threads,
                       Stopwatch& watch, Known& known) {
+  repairing::FoldOpener folds;
   for (int attempt = 0;; ++attempt) {
     try {
       return solidOf(surface.mesh, *known.input, options, context, threads, watch);
     } catch (const Error& error) {
       const bool atVertices = error.code() == ErrorCode::kNoSolid && !error.defects().empty() &&
                               !error.defects().front().vertices.empty();
-      if (!options.repair || !atVertices || attempt == repairing::kMostAttempts) throw;
+      if (!options.repair || !atVertices || attempt == repairing::FoldOpener::kMostAttempts) throw;
       watch.lap("sweep");
-      surface = repairing::openFolds(surface, error.defects().front().vertices, attempt, context, threads);
+      surface = folds.open(surface, error.defects().front().vertices, context, threads);
       known.repair = surface.facts;
       watch.lap("repair");
     }

@@ -2,7 +2,9 @@
 #include "repair/folds.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "repair/fans.h"
 #include "repair/ledger.h"
@@ -33,21 +35,46 @@ TriangleId farthestTurned(const TriangleMesh& mesh, std::span<const TriangleId> 
   return worst;
 }
 
+void removeFan(Workpiece& piece, const VertexTriangles& around, VertexId v) {
+  for (const TriangleId t : around.of(v)) piece.remove(t, RepairKind::kFolded);
+}
+
+void removeBeyondFan(Workpiece& piece, const VertexTriangles& around, VertexId v) {
+  for (const TriangleId t : around.of(v))
+    for (const VertexId w : piece.mesh.triangles[t]) removeFan(piece, around, w);
+}
+
 }  // namespace
 
-RepairResult openFolds(const RepairResult& before, std::span<const VertexId> vertices, int attempt,
-                       const RunContext& context, int threads) {
+int FoldOpener::timesNamed(const TriangleMesh& mesh, const VertexTriangles& around, VertexId v) const {
+  int most = 0;
+  for (const TriangleId t : around.of(v))
+    for (const VertexId w : mesh.triangles[t]) {
+      const Vec3& p = mesh.positions[w];
+      const auto found = named_.find({p[0], p[1], p[2]});
+      if (found != named_.end()) most = std::max(most, found->second);
+    }
+  return most;
+}
+
+RepairResult FoldOpener::open(const RepairResult& before, std::span<const VertexId> vertices,
+                              const RunContext& context, int threads) {
   Workpiece piece(before.mesh);
   piece.origin = before.origin;
   const VertexTriangles around = vertexTriangles(piece.mesh.positions.size(), piece.mesh.triangles);
-  for (const VertexId v : vertices) {
-    const std::span<const TriangleId> fan = around.of(v);
-    if (fan.empty()) continue;
-    if (attempt < kWholeFans) {
-      piece.remove(farthestTurned(piece.mesh, fan), RepairKind::kFolded);
-    } else {
-      for (const TriangleId t : fan) piece.remove(t, RepairKind::kFolded);
-    }
+  std::vector<int> times;
+  for (const VertexId v : vertices) times.push_back(timesNamed(piece.mesh, around, v));
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const VertexId v = vertices[i];
+    if (around.of(v).empty()) continue;
+    if (times[i] == 0)
+      piece.remove(farthestTurned(piece.mesh, around.of(v)), RepairKind::kFolded);
+    else if (times[i] == 1)
+      removeFan(piece, around, v);
+    else
+      removeBeyondFan(piece, around, v);
+    const Vec3& p = piece.mesh.positions[v];
+    named_[{p[0], p[1], p[2]}] = times[i] + 1;
   }
   openPinchedVertices(piece, around);
   RepairResult result = packed(piece, before.facts.weldDistance, Ledger(before.facts));

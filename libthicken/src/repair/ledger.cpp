@@ -33,7 +33,7 @@ RepairFacts Ledger::facts(double weldDistance) && {
     ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
     if (removes(kind)) {
       facts.removed += change.count;
-      facts.removedArea += change.area;
+      if (kind != RepairKind::kDuplicate) facts.removedArea += change.area;
     }
     facts.changes.push_back(std::move(change));
   }
