@@ -79,6 +79,11 @@ class GuiCase(unittest.TestCase):
             window.resizeDocks(combo[:1], [370], QtCore.Qt.Horizontal)
         for inner in window.findChildren(QtGui.QMdiSubWindow):
             inner.close()  # the start page
+        # FreeCAD runs the tests while it "loads" them as a file, and shows its progress: end that.
+        progress = App.Base.ProgressIndicator()
+        progress.start("", 1)
+        progress.next()
+        progress.stop()
 
     def setUp(self):
         self.messages = []
