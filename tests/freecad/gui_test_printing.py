@@ -23,19 +23,6 @@ class Printing(GuiCase):
         self.look()
         return feature
 
-    def answer_file_dialog(self, path):
-        """Type a file name into the dialog that opens next, and accept it."""
-
-        def fill():
-            dialog = QtGui.QApplication.activeModalWidget()
-            if not isinstance(dialog, QtGui.QFileDialog):
-                QtCore.QTimer.singleShot(50, fill)
-                return
-            dialog.findChild(QtGui.QLineEdit, "fileNameEdit").setText(str(path))
-            click(dialog.findChild(QtGui.QDialogButtonBox).button(QtGui.QDialogButtonBox.Save))
-
-        QtCore.QTimer.singleShot(50, fill)
-
 
 class DrainHoles(Printing):
     def open(self):
