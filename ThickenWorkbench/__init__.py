@@ -16,7 +16,17 @@ __version__ = "0.1.0"
 
 if TYPE_CHECKING:
     from ._thicken import RunContext, ThickenError
-    from .arrays import Region, ThickenedMesh, check_mesh, read_mesh, thicken_mesh, weld_mesh, write_mesh
+    from .arrays import (
+        Region,
+        RepairedMesh,
+        ThickenedMesh,
+        check_mesh,
+        read_mesh,
+        repair_mesh,
+        thicken_mesh,
+        weld_mesh,
+        write_mesh,
+    )
     from .check_surface import check_surface
     from .drain_holes import make_drain_holes
     from .export import export_for_printing
@@ -28,9 +38,11 @@ if TYPE_CHECKING:
 
 _HOMES = {
     "Region": "arrays",
+    "RepairedMesh": "arrays",
     "ThickenedMesh": "arrays",
     "check_mesh": "arrays",
     "read_mesh": "arrays",
+    "repair_mesh": "arrays",
     "thicken_mesh": "arrays",
     "weld_mesh": "arrays",
     "write_mesh": "arrays",
