@@ -104,7 +104,9 @@ class MapPanel:
         paint_points(self.feature.ViewObject, colours(self.map.vertex_values, low, high))
         self.legend.show_shares(*shares(self.feature, self.map, low, high))
         self.facts.setText(
-            translate("Thicken", "Least {least}, mean {mean}, largest {largest} mm. 98 % of the area: {low} to {high} mm.").format(
+            translate(
+                "Thicken", "Least {least}, mean {mean}, largest {largest} mm. 98 % of the area: {low} to {high} mm."
+            ).format(
                 least=f"{self.map.minimum:.4g}",
                 mean=f"{self.map.mean:.4g}",
                 largest=f"{self.map.maximum:.4g}",

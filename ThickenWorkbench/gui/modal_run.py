@@ -47,7 +47,8 @@ def _wait(thread: threading.Thread, context: Any) -> None:
     dialog.setWindowModality(QtCore.Qt.ApplicationModal)
     dialog.setRange(0, 1000)
     dialog.setMinimumDuration(0)
-    # While FreeCAD recomputes, a filter swallows all clicks; one that is asked before it lets those on the dialog through.
+    # While FreeCAD recomputes, a filter swallows all clicks; the filter that was added last is asked
+    # first, and lets those on the dialog through.
     clicks = _Clicks(dialog)
     QtWidgets.QApplication.instance().installEventFilter(clicks)
     dialog.show()

@@ -35,6 +35,8 @@ def paint(view: Any, on: bool = True) -> None:
         set_colours(material, [tuple(view.ShapeColor)[:3]])
         return
     palette = np.array([preferences.colour(KEYS[region]) for region in Region])
+    if binding.value.getValue() == coin.SoMaterialBinding.PER_FACE and _shows(material, palette, regions):
+        return
     set_colours(material, palette[regions])
     binding.value = coin.SoMaterialBinding.PER_FACE
 
@@ -74,6 +76,15 @@ def repaint_all() -> None:
             view = getattr(obj, "ViewObject", None)
             if isinstance(getattr(view, "Proxy", None), ThickenViewProvider):
                 view.Proxy.paint(view)
+
+
+def _shows(material: Any, palette: Any, regions: Any) -> bool:
+    """Whether the colours are on the material already: the first facet of each run of a region tells."""
+    field = material.diffuseColor
+    if field.getNum() != len(regions):
+        return False
+    starts = [0, *(np.flatnonzero(np.diff(regions.astype(int))) + 1)]
+    return all(np.allclose(field[int(k)].getValue(), palette[regions[k]], atol=1e-6) for k in starts)
 
 
 def _nodes(view: Any) -> tuple[Any, Any] | None:

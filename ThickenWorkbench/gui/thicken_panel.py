@@ -50,7 +50,7 @@ class ThickenPanel:
         self.form = self.form_parts.widget
         self._show_start()
         self._open_transaction()
-        self._looks = Looks(hide=[feature] if feature is not None else [], see_through=[item.source for item in chosen])
+        self._looks = Looks([feature] if feature is not None else [], [item.source for item in chosen])
         Gui.Selection.clearSelection()  # its colour would hide those of the preview
         self._arrow = SideArrow(chosen[0].source, *self._surfaces[0], self._flip)
         self._picker: RegionPicker | None = None
@@ -110,7 +110,9 @@ class ThickenPanel:
             item = self.chosen[0]
             self._picker = RegionPicker(item.source, item.facets, self._choose)
             self._sharpen(self.form_parts.sharpest.value())
-            self.form_parts.tell(translate("Thicken", "Click on the mesh; click “Pick a region” again to see the preview."))
+            self.form_parts.tell(
+                translate("Thicken", "Click on the mesh; click “Pick a region” again to see the preview.")
+            )
         elif self._picker is not None:
             self._picker.stop()
             self._picker = None

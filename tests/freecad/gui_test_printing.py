@@ -4,7 +4,7 @@
 import FreeCAD as App
 import FreeCADGui as Gui
 import Mesh
-from PySide import QtCore, QtGui
+from PySide import QtCore
 
 import ThickenWorkbench
 import thicken_judge
