@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from .part_solid import make_part_solid, part_solid, part_solid_of
     from .printability import printability, write_report
     from .regions import facet_regions
+    from .repair_feature import make_repair
     from .thickness_map import thickness_map
 
 _HOMES = {
@@ -56,6 +57,7 @@ _HOMES = {
     "printability": "printability",
     "write_report": "printability",
     "facet_regions": "regions",
+    "make_repair": "repair_feature",
     "thickness_map": "thickness_map",
     "RunContext": "native",
     "ThickenError": "native",
