@@ -24,7 +24,7 @@ class Repair(DocumentCase):
         self.assertGreater(feature.Removed, 0)
         self.assertEqual(feature.TriangleCount, source.Mesh.CountFacets - feature.Removed)
         self.assertIn("met others", " ".join(feature.Changes))
-        self.assert_solid(ThickenWorkbench.make_thicken(self.doc, feature, 1))
+        self.assertTrue(ThickenWorkbench.make_thicken(self.doc, feature, 1).Valid)
 
     def test_good_surface_stays_as_it_is(self):
         source = self.add_source(plate())
