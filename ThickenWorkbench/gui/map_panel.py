@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from typing import Any
 
 import FreeCAD as App
@@ -33,7 +34,9 @@ class MapPanel:
         self.feature = feature
         self.map: Any = None  #: the ThicknessMap that is shown
         self._job: Job | None = None
-        self._view = view_of(feature.Document)
+        self.document = feature.Document
+        self.objects = [feature]
+        self._view = view_of(self.document)
         self._build()
         Gui.Selection.clearSelection()
         self._measure()
@@ -47,8 +50,11 @@ class MapPanel:
     def reject(self) -> bool:
         if self._job is not None:
             self._job.abandon()
-        self._plain()
+        self.leave_view()
         return True
+
+    def leave_view(self) -> None:
+        self._plain()
 
     def _build(self) -> None:
         self.form = QtWidgets.QWidget()
@@ -122,6 +128,7 @@ class MapPanel:
 
     def _plain(self) -> None:
         """The colours that the feature has otherwise."""
-        view = self.feature.ViewObject
-        if view is not None and hasattr(view.Proxy, "paint"):
-            view.Proxy.paint(view)
+        with suppress(ReferenceError, RuntimeError):  # deleted in the meantime
+            view = self.feature.ViewObject
+            if view is not None and hasattr(view.Proxy, "paint"):
+                view.Proxy.paint(view)

@@ -255,6 +255,26 @@ class Document(GuiCase):
         self.assertFalse(self.doc.isTouched())
         self.assertEqual(source.ViewObject.RootNode.getNumChildren(), before - 2, "the overlays are still there")
 
+    def test_closing_the_document_does_no_harm(self):
+        self.select(self.add_mesh(saddle()))
+        panel = self.run_command("Thicken_Make")
+        App.closeDocument(self.doc.Name)
+        self.doc = App.newDocument("Next")
+        wait_until(lambda: not panel._preview.busy(), "the preview has ended")
+        if Gui.Control.activeDialog():
+            self.press("Cancel")
+            self.wait_closed()
+        self.assertEqual(self.doc.Objects, [])
+
+    def test_deleting_the_source_closes_the_panel(self):
+        source = self.add_mesh(saddle())
+        self.select(source)
+        panel = self.run_command("Thicken_Make")
+        wait_until(lambda: not panel._preview.busy(), "the preview is there")
+        self.doc.removeObject(source.Name)
+        self.wait_closed()
+        self.assertEqual([obj.Name for obj in self.doc.Objects if obj.Name != "Scan"], [])
+
     def test_undo_is_one_step(self):
         source = self.add_mesh(saddle())
         self.select(source)
