@@ -94,14 +94,14 @@ class RepairCommand(Command):
     name = "Thicken_Repair"
     icon = "repair_surface.svg"
     menu = QT_TRANSLATE_NOOP("Thicken_Repair", "Repair Surface")
-    tip = QT_TRANSLATE_NOOP("Thicken_Repair", "Make a mended copy of the selected surface, and list every change")
+    tip = QT_TRANSLATE_NOOP("Thicken_Repair", "Make a mended copy of the selected surfaces, and list every change")
     help = QT_TRANSLATE_NOOP(
         "Thicken_Repair",
-        "Select a mesh. The new object follows it without its defects; its properties list what was removed and added.",
+        "Select a mesh or a shape. The new object follows it without its defects; its properties list what was changed.",
     )
 
     def targets(self) -> list[Any]:
-        return [item for item in chosen.surfaces() if chosen.is_mesh(item.source)]
+        return chosen.surfaces()
 
     def Activated(self) -> None:
         from .repairing import repair
@@ -137,7 +137,8 @@ class DrainCommand(Command):
     tip = QT_TRANSLATE_NOOP("Thicken_Drain", "Let resin out of the cavities of a solid")
     help = QT_TRANSLATE_NOOP(
         "Thicken_Drain",
-        "Select a solid. Holes are placed at the lowest points of each cavity for a print direction, or where you click.",
+        "Select a solid. Holes are placed at the lowest points of each cavity for a print direction, "
+        "or where you click.",
     )
 
     def targets(self) -> list[Any]:
@@ -191,7 +192,7 @@ class ExportCommand(Command):
         export(self.targets()[0])
 
 
-COMMANDS = [MakeCommand, CheckCommand, MapCommand, DrainCommand, ReportCommand, ExportCommand]
+COMMANDS = [MakeCommand, CheckCommand, RepairCommand, MapCommand, DrainCommand, ReportCommand, ExportCommand]
 
 
 def register() -> list[str]:

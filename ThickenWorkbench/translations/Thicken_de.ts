@@ -408,6 +408,10 @@
         <source>Stopped. The document is as it was.</source>
         <translation>Angehalten. Das Dokument ist unverändert.</translation>
     </message>
+    <message>
+        <source>The document has no 3D view. Open one: View ▸ Create new view.</source>
+        <translation>Das Dokument hat keine 3D-Ansicht. Bitte eine öffnen: Ansicht ▸ Neue Ansicht.</translation>
+    </message>
 </context>
 <context>
     <name>ThickenPreferences</name>
@@ -599,12 +603,12 @@
         <translation>Fläche reparieren</translation>
     </message>
     <message>
-        <source>Make a mended copy of the selected surface, and list every change</source>
-        <translation>Eine reparierte Kopie der ausgewählten Fläche erzeugen und jede Änderung auflisten</translation>
+        <source>Make a mended copy of the selected surfaces, and list every change</source>
+        <translation>Eine reparierte Kopie der ausgewählten Flächen erzeugen und jede Änderung auflisten</translation>
     </message>
     <message>
-        <source>Select a mesh. The new object follows it without its defects; its properties list what was removed and added.</source>
-        <translation>Ein Netz auswählen. Das neue Objekt folgt ihm ohne seine Fehler; seine Eigenschaften nennen, was entfernt und hinzugefügt wurde.</translation>
+        <source>Select a mesh or a shape. The new object follows it without its defects; its properties list what was changed.</source>
+        <translation>Ein Netz oder eine Form auswählen. Das neue Objekt folgt ihr ohne ihre Fehler; seine Eigenschaften nennen, was geändert wurde.</translation>
     </message>
 </context>
 <context>
