@@ -37,7 +37,11 @@ class Command:
         }
 
     def IsActive(self) -> bool:
-        return App.ActiveDocument is not None and bool(self.targets()) and not Gui.Control.activeDialog()
+        return App.ActiveDocument is not None and self.is_usable() and not Gui.Control.activeDialog()
+
+    def is_usable(self) -> bool:
+        """Whether targets() would find something; FreeCAD asks all the time, so this has to be quick."""
+        return chosen.anything()
 
     def targets(self) -> list[Any]:
         """What of the selection the command can use."""
@@ -113,14 +117,17 @@ class MapCommand(Command):
     name = "Thicken_Map"
     icon = "thickness_map.svg"
     menu = QT_TRANSLATE_NOOP("Thicken_Map", "Thickness Map")
-    tip = QT_TRANSLATE_NOOP("Thicken_Map", "Colour a thickened solid by its wall thickness or by its deviation")
+    tip = QT_TRANSLATE_NOOP("Thicken_Map", "Colour a solid by the thickness of its wall or by its deviation")
     help = QT_TRANSLATE_NOOP(
         "Thicken_Map",
-        "Select a thickened solid. A panel shows the scale, the least and the largest value and a histogram.",
+        "Select a thickened or drained solid. A panel shows the scale, the least and the largest value and a histogram.",
     )
 
     def targets(self) -> list[Any]:
-        return [feature for feature in chosen.features() if feature.Valid][:1]
+        return chosen.made_solids()[:1]
+
+    def is_usable(self) -> bool:
+        return bool(self.targets())
 
     def Activated(self) -> None:
         from . import editing
@@ -143,6 +150,9 @@ class DrainCommand(Command):
 
     def targets(self) -> list[Any]:
         return [obj for obj in chosen.solids() if chosen.is_mesh(obj)][:1]
+
+    def is_usable(self) -> bool:
+        return bool(self.targets())
 
     def Activated(self) -> None:
         from . import editing

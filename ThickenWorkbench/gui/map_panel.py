@@ -12,12 +12,13 @@ import FreeCADGui as Gui
 from ..thickness_map import thickness_map
 from . import macro, messages
 from .camera import go_to, view_of
+from .chosen import is_thicken
 from .colour_scale import colours
 from .job import Job
 from .legend import Legend
 from .map_scale import ends, shares
 from .qt import QtWidgets, standard_buttons
-from .region_colours import paint_points
+from .region_colours import paint_plain, paint_points
 
 translate = App.Qt.translate
 
@@ -63,10 +64,9 @@ class MapPanel:
         column = QtWidgets.QVBoxLayout(self.form)
         self.what = QtWidgets.QComboBox()
         self.what.setObjectName("What")
-        self.what.addItems([
-            translate("Thicken", "Wall thickness (mm)"),
-            translate("Thicken", "Deviation of the shell from the thickness (mm)"),
-        ])  # fmt: skip
+        self.what.addItem(translate("Thicken", "Wall thickness (mm)"))
+        if is_thicken(self.feature):
+            self.what.addItem(translate("Thicken", "Deviation of the shell from the thickness (mm)"))
         self.what.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
         self.what.currentIndexChanged.connect(lambda _: self._measure())
         self.facts = QtWidgets.QLabel()
@@ -130,5 +130,7 @@ class MapPanel:
         """The colours that the feature has otherwise."""
         with suppress(ReferenceError, RuntimeError):  # deleted in the meantime
             view = self.feature.ViewObject
-            if view is not None and hasattr(view.Proxy, "paint"):
+            if hasattr(view.Proxy, "paint"):
                 view.Proxy.paint(view)
+            else:
+                paint_plain(view)

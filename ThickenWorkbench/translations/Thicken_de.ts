@@ -588,12 +588,12 @@
         <translation>Dickenkarte</translation>
     </message>
     <message>
-        <source>Colour a thickened solid by its wall thickness or by its deviation</source>
-        <translation>Einen verdickten Körper nach Wanddicke oder Abweichung färben</translation>
+        <source>Colour a solid by the thickness of its wall or by its deviation</source>
+        <translation>Einen Körper nach Wanddicke oder Abweichung färben</translation>
     </message>
     <message>
-        <source>Select a thickened solid. A panel shows the scale, the least and the largest value and a histogram.</source>
-        <translation>Einen verdickten Körper auswählen. Eine Aufgabe zeigt die Skala, den kleinsten und größten Wert und ein Histogramm.</translation>
+        <source>Select a thickened or drained solid. A panel shows the scale, the least and the largest value and a histogram.</source>
+        <translation>Einen verdickten oder gelochten Körper auswählen. Eine Aufgabe zeigt die Skala, den kleinsten und größten Wert und ein Histogramm.</translation>
     </message>
 </context>
 <context>

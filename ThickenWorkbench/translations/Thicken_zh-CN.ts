@@ -588,12 +588,12 @@
         <translation>厚度图</translation>
     </message>
     <message>
-        <source>Colour a thickened solid by its wall thickness or by its deviation</source>
-        <translation>按壁厚或偏差为加厚的实体着色</translation>
+        <source>Colour a solid by the thickness of its wall or by its deviation</source>
+        <translation>按壁厚或偏差为实体着色</translation>
     </message>
     <message>
-        <source>Select a thickened solid. A panel shows the scale, the least and the largest value and a histogram.</source>
-        <translation>选择一个加厚的实体。面板会显示色标、最小值、最大值和直方图。</translation>
+        <source>Select a thickened or drained solid. A panel shows the scale, the least and the largest value and a histogram.</source>
+        <translation>选择一个加厚或已开孔的实体。面板会显示色标、最小值、最大值和直方图。</translation>
     </message>
 </context>
 <context>

@@ -123,6 +123,23 @@ class ThicknessMap(GuiCase):
         self.wait_closed()
         self.assertEqual(painted(feature.ViewObject), palette())
 
+    def test_a_drained_solid_is_measured_as_well(self):
+        import Mesh
+
+        cube = self.doc.addObject("Mesh::Feature", "Cube")
+        cube.Mesh = Mesh.createBox(20, 20, 20)
+        hollow = ThickenWorkbench.make_thicken(self.doc, cube, thickness=2)
+        drained = ThickenWorkbench.make_drain_holes(self.doc, hollow)
+        plain = painted(drained.ViewObject)
+        self.select(drained)
+        panel = self.run_command("Thicken_Map")
+        wait_until(lambda: panel.map is not None, "the map is there")
+        self.assertEqual(self.child(panel, "What").count(), 1)
+        self.assertGreater(len(painted(drained.ViewObject)), 1)
+        self.press("Close")
+        self.wait_closed()
+        self.assertEqual(painted(drained.ViewObject), plain)
+
     def test_it_goes_to_the_thinnest_place(self):
         feature, panel = self.open(saddle())
         camera = Gui.activeDocument().activeView().getCameraNode()
