@@ -65,12 +65,15 @@ class RepairFeature(StatelessProxy):
             require_source(obj.Source, obj)
             mesh, report = _mended(obj)
         except BaseException:
-            obj.Mesh = Mesh.Mesh()
-            _show(obj, None)
+            self.clear(obj)
             raise
         mesh.Placement = placement_in_parent_of(obj, obj.Source)
         obj.Mesh = mesh  # takes over the Placement as well
         _show(obj, report)
+
+    def clear(self, obj: Any) -> None:
+        obj.Mesh = Mesh.Mesh()
+        _show(obj, None)
 
 
 observe_sources(RepairFeature)

@@ -4,6 +4,7 @@
 import math
 
 import FreeCAD as App
+import numpy as np
 import Part
 
 import ThickenWorkbench
@@ -104,6 +105,21 @@ class HollowBox(DocumentCase):
             self.assertIn(words, feature.getStatusString())
             self.assertEqual((feature.Mesh.CountFacets, feature.Valid, feature.HoleCount), (0, False, 0))
             self.doc.removeObject(feature.Name)
+
+    def test_refused_solid_leaves_no_stale_holes(self):
+        surface = together(box((0, 0, 0), (20, 20, 20)), box((2, 2, 2), (18, 18, 18), inward=True))
+        mended = ThickenWorkbench.make_repair(self.doc, self.add_source(surface, "Broken"))
+        feature = ThickenWorkbench.make_drain_holes(self.doc, mended, 3, plug=True)
+        plugs = self.doc.getObject("Plugs")
+        self.assertTrue(plugs.Valid)
+        flat = np.float32([[0, 0, 0], [1, 0, 0], [2, 0, 0]]), [[0, 1, 2]]
+        self.doc.getObject("Broken").Mesh = mesh_io.mesh_from_arrays(*flat)
+        self.doc.recompute()
+        for obj in (feature, plugs):
+            self.assertEqual((obj.Mesh.CountFacets, obj.Valid), (0, False))
+        self.doc.getObject("Broken").Mesh = mesh_io.mesh_from_arrays(*surface)
+        self.doc.recompute()
+        self.assertTrue(feature.Valid and plugs.Valid)
 
     def test_solid_without_a_cavity(self):
         block = self.add_source(box((0, 0, 0), (9, 9, 9)), "Block")
