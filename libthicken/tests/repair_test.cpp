@@ -282,7 +282,7 @@ TEST(Repair, EndsWhereEverythingMeetsEverything) {
   }
   const auto begin = std::chrono::steady_clock::now();
   const RepairResult result = repaired(mesh);
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(60));
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(200));
   EXPECT_GT(result.mesh.triangles.size(), 10u);
 }
 
