@@ -59,10 +59,10 @@ double cellWidth(const TriangleMesh& surface, const Options& options) {
                       *options.resolution, w, static_cast<int>(std::floor(2 * longest / r)) + 1));
     return w;
   }
-  // r/4 is round to within 1 %; coarser where that would take very many cells.
-  constexpr double kManyCells = 4e5;
+  // r/6 is round to within 0.4 %; coarser where that would take very many cells.
+  constexpr double kManyCells = 6e5;
   const double byArea = std::sqrt(areaOf(surface) / kManyCells);
-  return std::clamp(byArea, r / 4, r / 2.2);
+  return std::clamp(byArea, r / 6, r / 2.2);
 }
 
 std::size_t fieldBytes(const TriangleMesh& surface, double width) {

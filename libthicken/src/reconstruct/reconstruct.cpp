@@ -11,13 +11,8 @@
 #include "measure/stopwatch.h"
 #include "mesh/normals.h"
 #include "parallel_for.h"
-#include "reconstruct/assembly.h"
+#include "reconstruct/attempt.h"
 #include "reconstruct/carrier.h"
-#include "reconstruct/contourer.h"
-#include "reconstruct/deep_walls.h"
-#include "reconstruct/loose_parts.h"
-#include "reconstruct/settle.h"
-#include "reconstruct/shape.h"
 #include "sweep/sweep.h"
 #include "thicken/error.h"
 
@@ -25,73 +20,9 @@ namespace thicken {
 
 namespace {
 
-constexpr int kDefaultRounds = 15;  // of shape optimisation; the paper takes 10 to 20
-constexpr int kMostRefinements = 12;
+constexpr int kMostRefinements = 16;
 // Reach of a refinement in cells, and its growth from one to the next, so that they end.
-constexpr double kFirstReach = 0.5, kReachGrowth = 1.25;
-
-// Everything that one attempt makes; refinement changes `keep` and makes it anew.
-class Attempt {
- public:
-  Attempt(const TriangleMesh& surface, const ClosestPointTree& tree, const SweepResult& swept,
-          const Options& options, double width, const RunContext& context, int threads)
-      : walls_(surface, tree, swept, options.thickness, context, threads),
-        contourer_(surface, options.thickness, width, context, threads),
-        surface_(surface),
-        tree_(tree),
-        swept_(swept),
-        options_(options),
-        width_(width),
-        context_(context),
-        threads_(threads) {}
-
-  // Returns the triangles of assembly() that meet.
-  std::vector<TriangleId> run(std::span<const std::uint8_t> keep, Stopwatch& watch) {
-    walls_.fit(keep);
-    const Carrier carrier = makeCarrier(swept_, walls_.positions(), surface_.triangles.size(), keep, width_);
-    const ClosestPointTree carrierTree(carrier.mesh);
-    const Membership membership(carrierTree, tree_, surface_.triangles.size(), options_.thickness);
-    watch.lap("sweep");
-    Contour contour = contourer_.contour(carrier, membership, onOpenShell(keep), watch);
-    assembly_ = assemble(carrier, contour.dual, contour.crossings, contour.ways);
-    dropSpecks(assembly_, width_);
-    watch.lap("faces");
-    const int rounds = options_.smooth.value_or(kDefaultRounds);
-    const std::vector<Vec3> target = shapedPositions(assembly_, contour.dual, contour.crossings, membership,
-                                                     width_, rounds, context_, threads_);
-    std::vector<TriangleId> meeting = settle(assembly_, target, context_, threads_);
-    if (meeting.empty()) dropMisplaced(assembly_, threads_);
-    watch.lap("shape");
-    return meeting;
-  }
-
-  [[nodiscard]] const Assembly& assembly() const { return assembly_; }
-
- private:
-  // Where the sweep found the inner shell and the carrier does not have it.
-  [[nodiscard]] std::vector<Vec3> onOpenShell(std::span<const std::uint8_t> keep) const {
-    constexpr double kFull = 0.98;
-    std::vector<Vec3> points;
-    std::vector<std::uint8_t> seen(swept_.mesh.positions.size(), 0);
-    for (std::size_t t = 0; t < keep.size(); ++t)
-      if (!keep[t])
-        for (const VertexId v : swept_.mesh.triangles[t])
-          if (!std::exchange(seen[v], std::uint8_t{1}) && swept_.distance[v] >= kFull * options_.thickness)
-            points.push_back(swept_.mesh.positions[v]);
-    return points;
-  }
-
-  DeepWalls walls_;
-  Contourer contourer_;
-  const TriangleMesh& surface_;
-  const ClosestPointTree& tree_;
-  const SweepResult& swept_;
-  const Options& options_;
-  double width_;
-  const RunContext& context_;
-  int threads_;
-  Assembly assembly_;
-};
+constexpr double kFirstReach = 0.5, kReachGrowth = 1.4;
 
 // Marks the sweep's shell near the triangles that meet, first near, then farther, until there is
 // something new. Returns whether there was.
@@ -184,23 +115,17 @@ Reconstruction finish(const Assembly& assembly, const TriangleMesh& surface, con
   return result;
 }
 
-}  // namespace
-
-Reconstruction reconstruct(const TriangleMesh& surface, const ClosestPointTree& tree, const Options& options,
-                           const RunContext& context, int threads, Stopwatch& watch) {
-  const double width = cellWidth(surface, options);
-  requireRoomForField(surface, options.thickness, width, context);
-  SweepResult swept =
-      sweep(surface, tree, options.thickness, Side::kNegative, context, threads, Polish::kNo);
-  watch.lap("sweep");
-  std::vector<std::uint8_t> keep(swept.mesh.triangles.size(), 0), isShell(keep.size(), 0);
-  for (std::size_t t = 0; t < keep.size(); ++t) {
-    isShell[t] = swept.region[t] == Region::kShell;
-    keep[t] = !isShell[t];
-  }
+// Attempts until nothing meets: walls that are in the way are drawn back, and where that does not help the
+// sweep's own shell is kept.
+Reconstruction complete(const TriangleMesh& surface, const ClosestPointTree& tree, const SweepResult& swept,
+                        std::vector<std::uint8_t> keep, double width, const Options& options,
+                        const RunContext& context, int threads, Stopwatch& watch) {
+  std::vector<std::uint8_t> isShell(keep.size());
+  for (std::size_t t = 0; t < keep.size(); ++t) isShell[t] = swept.region[t] == Region::kShell;
   closeFans(swept.mesh, keep);
   const exact::BoxTree shell(swept.mesh.positions, swept.mesh.triangles, threads, isShell);
   Attempt attempt(surface, tree, swept, options, width, context, threads);
+  int refinements = 0;
   for (std::size_t round = 0;; ++round) {
     const std::vector<TriangleId> meeting = attempt.run(keep, watch);
     if (meeting.empty()) {
@@ -210,14 +135,44 @@ Reconstruction reconstruct(const TriangleMesh& surface, const ClosestPointTree& 
       result.cell = width;
       return result;
     }
+    if (attempt.liftWalls(meeting)) continue;
+    const double reach = width * kFirstReach * std::pow(kReachGrowth, static_cast<double>(refinements));
+    if (refinements++ < kMostRefinements &&
+        refine(swept, shell, attempt.assembly(), meeting, width, reach, keep))
+      continue;
     // In the end the whole sweep, which leaves nothing to contour.
-    const double reach = width * kFirstReach * std::pow(kReachGrowth, static_cast<double>(round));
-    if (round == kMostRefinements)
-      std::fill(keep.begin(), keep.end(), std::uint8_t{1});
-    else if (round > kMostRefinements ||
-             !refine(swept, shell, attempt.assembly(), meeting, width, reach, keep))
-      refuse(attempt.assembly(), meeting);
+    if (std::find(keep.begin(), keep.end(), 0) == keep.end()) refuse(attempt.assembly(), meeting);
+    std::fill(keep.begin(), keep.end(), std::uint8_t{1});
   }
+}
+
+}  // namespace
+
+Reconstruction reconstruct(const TriangleMesh& surface, const ClosestPointTree& tree, const Options& options,
+                           const RunContext& context, int threads, Stopwatch& watch) {
+  const double width = cellWidth(surface, options);
+  requireRoomForField(surface, options.thickness, width, context);
+  const SweepResult swept =
+      sweep(surface, tree, options.thickness, Side::kNegative, context, threads, Polish::kNo);
+  watch.lap("sweep");
+  std::vector<std::uint8_t> keep(swept.mesh.triangles.size());
+  for (std::size_t t = 0; t < keep.size(); ++t) keep[t] = swept.region[t] != Region::kShell;
+  return complete(surface, tree, swept, std::move(keep), width, options, context, threads, watch);
+}
+
+std::optional<Reconstruction> deepen(const TriangleMesh& surface, const ClosestPointTree& tree,
+                                     const SweepResult& swept, const Options& options,
+                                     const RunContext& context, int threads, Stopwatch& watch) {
+  constexpr double kFull = 0.98;
+  std::vector<std::uint8_t> keep(swept.mesh.triangles.size(), 1);
+  for (std::size_t t = 0; t < keep.size(); ++t)
+    if (swept.region[t] == Region::kShell)
+      for (const VertexId v : swept.mesh.triangles[t])
+        if (swept.distance[v] < kFull * options.thickness) keep[t] = 0;
+  if (std::find(keep.begin(), keep.end(), 0) == keep.end()) return std::nullopt;
+  const double width = cellWidth(surface, options);
+  requireRoomForField(surface, options.thickness, width, context);
+  return complete(surface, tree, swept, std::move(keep), width, options, context, threads, watch);
 }
 
 }  // namespace thicken

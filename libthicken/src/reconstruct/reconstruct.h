@@ -4,9 +4,11 @@
 // that is to be made, joined to the unsplit rim, shaped, tested exactly and refined where tests fail.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "sweep/sweep.h"
 #include "thicken/closest_point.h"
 #include "thicken/options.h"
 #include "thicken/result.h"
@@ -40,5 +42,11 @@ void requireRoomForField(const TriangleMesh& surface, double r, double width, co
 [[nodiscard]] Reconstruction reconstruct(const TriangleMesh& surface, const ClosestPointTree& tree,
                                          const Options& options, const RunContext& context, int threads,
                                          Stopwatch& watch);
+
+/// Replaces what `swept` (of `surface` to its negative side) could not sweep to the whole thickness by the
+/// contour of the field. Nothing where there is no such place. Throws as reconstruct() does.
+[[nodiscard]] std::optional<Reconstruction> deepen(const TriangleMesh& surface, const ClosestPointTree& tree,
+                                                   const SweepResult& swept, const Options& options,
+                                                   const RunContext& context, int threads, Stopwatch& watch);
 
 }  // namespace thicken
