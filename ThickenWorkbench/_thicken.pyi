@@ -57,8 +57,8 @@ def closest_points(
 def drill(
     vertices: ArrayLike,
     triangles: ArrayLike,
-    place: Sequence[float],
-    axis: Sequence[float],
+    places: Sequence[Sequence[float]],
+    axes: Sequence[Sequence[float]],
     diameter: float,
     *,
     sides: int = 24,

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Iterable, NamedTuple, Sequence
 import FreeCAD as App
 import numpy as np
 
+from .placed import placed_points
 from .sources import DEFAULT_DEFLECTION, kind_of, surface_arrays
 
 if TYPE_CHECKING:
@@ -42,14 +43,9 @@ def check_surface(
     extension = native.load()
     found = extension.check(vertices, triangles)
     points, corners = extension.weld(vertices, triangles)
-    placed = _placed(points, source.getGlobalPlacement())
+    placed = placed_points(points, source.getGlobalPlacement())
     original = np.array(chosen) if chosen and kind_of(source) == "mesh" else np.arange(len(triangles))
     return [_located(defect, placed, corners, original, source) for defect in found["defects"]]
-
-
-def _placed(points: NDArray, placement: Any) -> NDArray:
-    matrix = np.array(placement.toMatrix().A).reshape(4, 4)
-    return points @ matrix[:3, :3].T + matrix[:3, 3]
 
 
 def _located(defect: dict[str, Any], points: NDArray, corners: NDArray, original: NDArray, source: Any) -> SurfaceDefect:

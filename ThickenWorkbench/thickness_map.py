@@ -66,13 +66,18 @@ def thickness_map(feature: Any, what: Literal["wall", "deviation"] = "wall") -> 
 
 
 def _wall(feature: Any, vertices: NDArray, triangles: NDArray) -> NDArray:
-    from . import native
-
     if not feature.Mesh.isSolid():
         raise RefusedError(f"“{feature.Label}” is not closed: only a closed mesh has a wall thickness.")
+    return wall_values(feature, vertices, triangles)
+
+
+def wall_values(obj: Any, vertices: NDArray, triangles: NDArray) -> NDArray:
+    """The wall thickness at each of `triangles`, which bound the closed solid of `obj`; NaN for none."""
+    from . import native
+
     values = native.load().wall_thickness(vertices, triangles)
-    if hasattr(feature, "RegionRuns"):
-        regions = facet_regions(feature)
+    if hasattr(obj, "RegionRuns"):
+        regions = facet_regions(obj)
         if len(regions) == len(values):  # from its cross-section a sheet is as thick as it is broad
             values[regions == _WALL] = np.nan
     return np.where(np.isfinite(values), values, np.nan)

@@ -131,6 +131,7 @@ _PROVIDERS = {
     "PartSolidFeature": SolidViewProvider,
     "RepairFeature": RepairViewProvider,
     "DrainHolesFeature": DrainViewProvider,
+    "PlugFeature": DrainViewProvider,
 }
 
 

@@ -191,7 +191,7 @@ class ExportCommand(Command):
         export(self.targets()[0])
 
 
-COMMANDS = [MakeCommand, CheckCommand, MapCommand]
+COMMANDS = [MakeCommand, CheckCommand, MapCommand, DrainCommand, ReportCommand, ExportCommand]
 
 
 def register() -> list[str]:

@@ -45,14 +45,13 @@ class DrainPanel:
         document.openTransaction(translate("Thicken", "Drain holes"))
         QtWidgets.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
         try:
-            macro.run(f"drained = {self._call()}")
+            made = macro.assign("drained", self._call())
         except Exception as error:  # arguments that make no sense: told here, nothing was made
             document.abortTransaction()
             self.status.setText(messages.sentences(error))
             return False
         finally:
             QtWidgets.QApplication.restoreOverrideCursor()
-        made = document.Objects[-1]
         if not made.isValid():
             self.status.setText(made.getStatusString())
             document.abortTransaction()

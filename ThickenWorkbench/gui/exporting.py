@@ -24,10 +24,9 @@ def export(obj: Any) -> None:
     path = _ask(obj)
     if path is None:
         return
-    line = f"exported = {macro.call('export_for_printing', obj, str(path))}"
     QtWidgets.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
     try:
-        macro.run(line)
+        exported = macro.assign("exported", macro.call("export_for_printing", obj, str(path)))
     except Exception as error:  # told to the user; the file is not there
         QtWidgets.QApplication.restoreOverrideCursor()
         messages.warn(translate("Thicken", "Nothing was written"), str(error))
@@ -35,8 +34,10 @@ def export(obj: Any) -> None:
     QtWidgets.QApplication.restoreOverrideCursor()
     messages.tell(
         translate("Thicken", "Export for Printing"),
-        translate("Thicken", "“{label}” was written to {path}, read again and proved valid.").format(
-            label=obj.Label, path=path
+        translate(
+            "Thicken", "“{label}” was written to {path}, read again and proved valid: {triangles} triangles, {volume} mL."
+        ).format(
+            label=obj.Label, path=path, triangles=f"{exported['triangles']:,}", volume=f"{exported['volume_ml']:.4g}"
         ),
     )
 

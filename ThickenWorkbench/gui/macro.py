@@ -38,6 +38,14 @@ def run(line: str) -> None:
     Gui.doCommand(line)
 
 
+def assign(variable: str, line: str) -> Any:
+    """Execute and record the assignment of a call to a variable of the macro, and return its value."""
+    import __main__  # where FreeCAD executes recorded lines
+
+    run(f"{variable} = {line}")
+    return getattr(__main__, variable)
+
+
 def record(variable: str, result: Any, function: str, *positional: Any, **named: Any) -> None:
     """Record the assignment of a call whose result another thread has found already.
 

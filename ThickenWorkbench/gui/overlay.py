@@ -53,20 +53,13 @@ def over_view(view: Any) -> Overlay:
 
 
 def faces(vertices: ArrayLike, triangles: ArrayLike, colour: Colour, transparency: float = 0.0) -> Any:
-    """Triangles in one colour, lit on both sides, flat."""
+    """Triangles in one colour, lit on both sides; of an object's own triangles they are seen first."""
     material = coin.SoMaterial()
     material.diffuseColor = colour
     material.transparency = transparency
-    return _group(material, _two_sided(), _coordinates(vertices), _face_set(triangles))
-
-
-def coloured_faces(vertices: ArrayLike, triangles: ArrayLike, colours: ArrayLike) -> Any:
-    """Triangles with a colour (n × 3) at each vertex, blended between them."""
-    material = coin.SoMaterial()
-    set_colours(material, colours)
-    binding = coin.SoMaterialBinding()
-    binding.value = coin.SoMaterialBinding.PER_VERTEX_INDEXED
-    return _group(material, binding, _two_sided(), _coordinates(vertices), _face_set(triangles))
+    towards_eye = coin.SoPolygonOffset()
+    towards_eye.factor, towards_eye.units = -1.0, -1.0
+    return _group(material, towards_eye, _two_sided(), _coordinates(vertices), _face_set(triangles))
 
 
 def lines(points: ArrayLike, colour: Colour, width: float = 3.0) -> Any:

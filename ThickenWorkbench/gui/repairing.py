@@ -18,9 +18,9 @@ def repair(sources: list[Any]) -> None:
         return
     document = sources[0].Document
     document.openTransaction(translate("Thicken", "Repair surface"))
-    for source in sources:
-        macro.run(f"repaired = {macro.call('make_repair', macro.Text(macro.DOCUMENT), source)}")
-    made = document.Objects[-len(sources) :]
+    made = [
+        macro.assign("repaired", macro.call("make_repair", macro.Text(macro.DOCUMENT), source)) for source in sources
+    ]
     document.commitTransaction()
     messages.tell(translate("Thicken", "Repair Surface"), "\n\n".join(_told(feature) for feature in made))
 

@@ -20,6 +20,7 @@ from ..sources import DEFAULT_DEFLECTION
 from . import macro, messages
 from .chosen import Chosen, is_mesh, is_shape
 from .job import Job
+from .looks import Looks
 from .preview import Preview
 from .qt import standard_buttons
 from .region_picker import RegionPicker
@@ -49,7 +50,7 @@ class ThickenPanel:
         self.form = self.form_parts.widget
         self._show_start()
         self._open_transaction()
-        self._looks = _Looks([feature] if feature is not None else [], [item.source for item in chosen])
+        self._looks = Looks(hide=[feature] if feature is not None else [], see_through=[item.source for item in chosen])
         Gui.Selection.clearSelection()  # its colour would hide those of the preview
         self._arrow = SideArrow(chosen[0].source, *self._surfaces[0], self._flip)
         self._picker: RegionPicker | None = None
@@ -311,25 +312,6 @@ class ThickenPanel:
         self.document.abortTransaction()
         if self.feature is not None and Gui.getDocument(self.document.Name).getInEdit():
             Gui.getDocument(self.document.Name).resetEdit()
-
-
-class _Looks:
-    """How objects look for as long as the panel is open: the solid is seen through the surface."""
-
-    _CLEAR = 50  # per cent
-
-    def __init__(self, hide: list[Any], show: list[Any]) -> None:
-        self._before = [(v, v.Visibility, v.Transparency) for v in (obj.ViewObject for obj in [*hide, *show])]
-        for obj in hide:
-            obj.ViewObject.Visibility = False
-        for obj in show:
-            obj.ViewObject.Visibility = True
-            obj.ViewObject.Transparency = self._CLEAR
-
-    def restore(self) -> None:
-        for view, visible, transparency in self._before:
-            with suppress(ReferenceError, RuntimeError):
-                view.Visibility, view.Transparency = visible, transparency
 
 
 def _length(value: float) -> str:

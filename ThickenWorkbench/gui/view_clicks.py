@@ -7,6 +7,9 @@ from contextlib import suppress
 from typing import Any, Callable
 
 import FreeCAD as App
+import FreeCADGui as Gui
+
+from .qt import QtCore
 
 
 class ViewClicks:
@@ -15,12 +18,15 @@ class ViewClicks:
     def __init__(self, view: Any, obj: Any, hit: Callable[[Any], None]) -> None:
         self._view, self._obj, self._hit = view, obj, hit
         self._callback = view.addEventCallback("SoMouseButtonEvent", self._on_button)
+        self._unselect = _Unselect()
+        Gui.Selection.addObserver(self._unselect)
 
     def stop(self) -> None:
         if self._callback is not None:
             with suppress(RuntimeError):  # the view was closed
                 self._view.removeEventCallback("SoMouseButtonEvent", self._callback)
             self._callback = None
+            Gui.Selection.removeObserver(self._unselect)
 
     def _on_button(self, event: dict[str, Any]) -> None:
         if event["Button"] != "BUTTON1" or event["State"] != "DOWN":
@@ -28,3 +34,13 @@ class ViewClicks:
         found = self._view.getObjectInfo(tuple(event["Position"]))
         if found and found.get("Object") == self._obj.Name:
             self._hit(App.Vector(found["x"], found["y"], found["z"]))
+
+
+class _Unselect:
+    """Takes back the selection that a click makes as well: its colour would hide what is being chosen."""
+
+    def addSelection(self, document: str, name: str, sub: str, place: Any) -> None:
+        QtCore.QTimer.singleShot(0, Gui.Selection.clearSelection)
+
+    def setPreselection(self, document: str, name: str, sub: str) -> None:
+        QtCore.QTimer.singleShot(0, lambda: Gui.Selection.clearPreselection())

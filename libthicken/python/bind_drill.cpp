@@ -3,6 +3,7 @@
 
 #include <array>
 #include <utility>
+#include <vector>
 
 #include "arrays.h"
 #include "bindings.h"
@@ -18,18 +19,24 @@ py::tuple toTuple(const Vec3& p) {
   return py::make_tuple(p[0], p[1], p[2]);
 }
 
+using Triple = std::array<double, 3>;
+
 py::dict drillArrays(const py::object& vertices, const py::object& triangles,
-                     const std::array<double, 3>& place, const std::array<double, 3>& axis, double diameter,
+                     const std::vector<Triple>& places, const std::vector<Triple>& axes, double diameter,
                      int sides, int threads, const std::optional<RunContext>& context) {
+  if (places.size() != axes.size()) throw py::value_error("places and axes must have the same length");
   const RunContext run = context.value_or(RunContext());
   const TriangleMesh solid = meshFrom(vertices, triangles);
-  DrainHole hole;
-  hole.place = Vec3(place[0], place[1], place[2]);
-  hole.axis = Vec3(axis[0], axis[1], axis[2]);
-  hole.diameter = diameter;
-  hole.sides = sides;
-  DrilledSolid drilled = runInterruptibly(run, [&] { return drill(solid, hole, run, threads); });
+  std::vector<DrainHole> holes(places.size());
+  for (std::size_t i = 0; i < holes.size(); ++i) {
+    holes[i].place = Vec3(places[i][0], places[i][1], places[i][2]);
+    holes[i].axis = Vec3(axes[i][0], axes[i][1], axes[i][2]);
+    holes[i].diameter = diameter;
+    holes[i].sides = sides;
+  }
+  DrilledSolid drilled = runInterruptibly(run, [&] { return drill(solid, holes, run, threads); });
   py::dict result;
+  result["candidate"] = drilled.candidate;
   result["untouched"] = drilled.untouched;
   result["entry"] = toTuple(drilled.entry);
   result["exit"] = toTuple(drilled.exit);
@@ -46,12 +53,12 @@ py::dict drillArrays(const py::object& vertices, const py::object& triangles,
 void bindDrill(py::module_& module) {
   using py::arg;
   module.def(
-      "drill", &drillArrays, arg("vertices"), arg("triangles"), arg("place"), arg("axis"), arg("diameter"),
+      "drill", &drillArrays, arg("vertices"), arg("triangles"), arg("places"), arg("axes"), arg("diameter"),
       py::kw_only(), arg("sides") = 24, arg("threads") = 0, arg("context") = py::none(),
-      "Drill a straight hole through the wall of a solid, at the material that begins nearest to "
-      "`place`, the way `axis` leads into it; returns a dict of vertices, triangles (`untouched` of them "
-      "first), entry, exit, axis, outline and walled: from where to where along the axis the hole "
-      "has its wall all around.");
+      "Drill a straight hole through the wall of a solid, at the first of `places` where it can be: into "
+      "the material that begins nearest to it, the way that its one of `axes` leads. Returns a dict of "
+      "vertices, triangles (`untouched` of them first), candidate, entry, exit, axis, outline and walled: "
+      "from where to where along the axis the hole has its wall all around.");
 }
 
 }  // namespace thicken::python

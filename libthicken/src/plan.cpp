@@ -48,7 +48,12 @@ void requireValid(const Options& options) {
     refuse(fmt::format("the number of threads must not be negative, and is {}", options.threads));
   if (options.method == Method::kReconstruct && options.side == Side::kBoth)
     refuse("the method reconstruct thickens to one side; use auto or sweep for both sides");
-  if (options.repair) refuse("repair is not available in this version; mend the surface first");
+  if (options.weld && !options.repair)
+    refuse("a distance to weld corners over is part of a repair; ask for the repair, too");
+  if (options.weld && (!std::isfinite(*options.weld) || *options.weld < 0))
+    refuse(
+        fmt::format("the distance to weld corners over must be 0 or a positive number of millimetres, not {}",
+                    *options.weld));
 }
 
 void requireRoom(const TriangleMesh& surface, const Options& options) {

@@ -100,6 +100,26 @@ Json defectList(const std::vector<Defect>& defects) {
   return list;
 }
 
+Json repairFacts(const std::optional<RepairFacts>& facts) {
+  if (!facts) return nullptr;
+  Json changes = Json::array();
+  for (const RepairChange& change : facts->changes) {
+    Json places = Json::array();
+    for (const Vec3& place : change.places) places.push_back(toPlace(place));
+    changes.push_back({{"kind", name(change.kind)},
+                       {"removed", removes(change.kind)},
+                       {"count", change.count},
+                       {"area_mm2", change.area},
+                       {"triangles", change.triangles},
+                       {"places_mm", places}});
+  }
+  return {{"weld_distance_mm", facts->weldDistance},
+          {"removed_triangles", facts->removed},
+          {"removed_area_mm2", facts->removedArea},
+          {"changes", changes},
+          {"surface", surfaceFacts(facts->surface)}};
+}
+
 Json head(const char* status) {
   return {{"version", kVersion}, {"status", status}};
 }
@@ -115,6 +135,7 @@ std::string text(const Json& json) {
 std::string toJson(const Report& report) {
   Json json = head("ok");
   json["input"] = surfaceFacts(report.input);
+  json["repair"] = repairFacts(report.repair);
   json["parameters"] = parameters(report);
   json["seconds"] = stages(report.seconds);
   json["memory"] = {{"predicted_bytes", report.predictedMemory}, {"peak_bytes", report.peakMemory}};
@@ -134,6 +155,8 @@ std::string toJson(const Error& error) {
   json["code"] = name(error.code());
   json["exit_status"] = exitStatus(error.code());
   json["sentence"] = error.what();
+  json["input"] = error.input() ? surfaceFacts(*error.input()) : Json();
+  json["repair"] = repairFacts(error.repair());
   json["defects"] = defectList(error.defects());
   return text(json);
 }

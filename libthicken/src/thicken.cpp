@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "check/audit.h"
@@ -13,6 +14,7 @@
 #include "parallel_for.h"
 #include "plan.h"
 #include "reconstruct/reconstruct.h"
+#include "repair/folds.h"
 #include "sweep/sweep.h"
 
 namespace thicken {
@@ -78,7 +80,20 @@ void requireTolerance(const Solid& solid, const Options& options) {
           worst, *options.tolerance));
 }
 
+void addRepairWarning(Report& report) {
+  if (!report.repair || report.repair->changes.empty()) return;
+  const RepairFacts& facts = *report.repair;
+  std::string changes;
+  for (const RepairChange& change : facts.changes)
+    changes += fmt::format("{}{} {}", changes.empty() ? "" : ", ", change.count, name(change.kind));
+  const double share = report.input.area > 0 ? facts.removedArea / report.input.area : 0;
+  report.warnings.push_back(
+      fmt::format("the surface was repaired ({}): {} triangles with {:.2g} % of its area were removed",
+                  changes, facts.removed, 100 * share));
+}
+
 void addWarnings(Report& report) {
+  addRepairWarning(report);
   constexpr double kThin = 0.9;
   if (report.thinnestWall >= kThin * report.thickness) return;
   const Vec3& p = report.thinnestPlace;
@@ -89,22 +104,39 @@ void addWarnings(Report& report) {
                   report.thinnestWall, p.x(), p.y(), p.z(), 100 * report.thinShare));
 }
 
-}  // namespace
+// What is known of the surface once it has been looked at; a failure takes it along.
+struct Known {
+  std::optional<SurfaceFacts> input;
+  std::optional<RepairFacts> repair;
+};
 
-Solid thicken(const TriangleMesh& input, const Options& options, RunContext context) {
-  requireValid(options);
-  const int threads = threadCount(options.threads);
-  Stopwatch watch;
-
-  context.enter(Stage::kChecking, 0, kChecked);
-  TriangleMesh surface = stored(input, options.precision);
-  const std::size_t predicted = predictedBytes(surface, options);
-  context.reserve(predicted, "thicken a part of the surface at a time, or simplify it first");
+// The surface to thicken: valid as it is or, where that is asked for, repaired.
+RepairResult validSurface(TriangleMesh surface, const Options& options, RunContext context, int threads,
+                          Stopwatch& watch, Known& known) {
   CheckResult checked = check(surface, context, threads);
-  if (!checked.valid()) throwDefects(std::move(checked.defects));
-  requireRoom(surface, options);
   watch.lap("check");
+  known.input = checked.facts;
+  if (!options.repair && !checked.valid()) throwDefects(std::move(checked.defects));
+  if (options.repair && (options.weld || !checked.valid())) {
+    RepairResult mended = repair(surface, {options.weld}, context, threads);
+    known.repair = mended.facts;
+    watch.lap("repair");
+    return mended;
+  }
+  RepairResult as;
+  as.mesh = std::move(surface);
+  as.facts.surface = checked.facts;
+  if (options.repair) {
+    as.origin.resize(as.mesh.triangles.size());
+    std::iota(as.origin.begin(), as.origin.end(), 0u);
+    known.repair = as.facts;
+  }
+  return as;
+}
 
+// The solid of a valid surface, proved and measured.
+Solid solidOf(const TriangleMesh& surface, const SurfaceFacts& input, const Options& options,
+              RunContext context, int threads, Stopwatch& watch) {
   context.enter(Stage::kSweeping, kChecked, kSwept);
   TriangleMesh oriented = surface;
   if (options.side == Side::kPositive) reverse(oriented);
@@ -114,13 +146,13 @@ Solid thicken(const TriangleMesh& input, const Options& options, RunContext cont
   if (options.method == Method::kReconstruct) {
     Reconstruction made = reconstruct(oriented, tree, options, context, threads, watch);
     const double cell = made.cell;
-    solid = assemble(std::move(made), Method::kReconstruct, checked.facts, options, threads);
+    solid = assemble(std::move(made), Method::kReconstruct, input, options, threads);
     solid.report.cell = cell;
   } else {
     const Side side = options.side == Side::kBoth ? Side::kBoth : Side::kNegative;
     SweepResult made = sweep(oriented, tree, options.thickness, side, context, threads);
     const std::size_t dropped = made.droppedCopies;
-    solid = assemble(std::move(made), Method::kSweep, checked.facts, options, threads);
+    solid = assemble(std::move(made), Method::kSweep, input, options, threads);
     solid.report.droppedCopies = dropped;
     watch.lap("sweep");
   }
@@ -133,12 +165,64 @@ Solid thicken(const TriangleMesh& input, const Options& options, RunContext cont
   measure(solid, oriented, tree, context, threads);
   requireTolerance(solid, options);
   watch.lap("measure");
-  addWarnings(solid.report);
+  return solid;
+}
+
+// Where a repair is asked for, folds that no wall fits below are opened, a few triangles at a time.
+Solid solidOfRepaired(RepairResult& surface, const Options& options, RunContext context, int threads,
+                      Stopwatch& watch, Known& known) {
+  repairing::FoldOpener folds;
+  for (int attempt = 0;; ++attempt) {
+    try {
+      return solidOf(surface.mesh, *known.input, options, context, threads, watch);
+    } catch (const Error& error) {
+      const bool atVertices = error.code() == ErrorCode::kNoSolid && !error.defects().empty() &&
+                              !error.defects().front().vertices.empty();
+      if (!options.repair || !atVertices || attempt == repairing::FoldOpener::kMostAttempts) throw;
+      watch.lap("sweep");
+      surface = folds.open(surface, error.defects().front().vertices, context, threads);
+      known.repair = surface.facts;
+      watch.lap("repair");
+    }
+  }
+}
+
+Solid thickenKnown(const TriangleMesh& input, const Options& options, RunContext context, Known& known) {
+  const int threads = threadCount(options.threads);
+  Stopwatch watch;
+
+  context.enter(Stage::kChecking, 0, kChecked);
+  TriangleMesh given = stored(input, options.precision);
+  const std::size_t predicted = predictedBytes(given, options);
+  context.reserve(predicted, "thicken a part of the surface at a time, or simplify it first");
+  RepairResult surface = validSurface(std::move(given), options, context, threads, watch, known);
+  requireRoom(surface.mesh, options);
+
+  Solid solid = solidOfRepaired(surface, options, context, threads, watch, known);
   solid.report.predictedMemory = predicted;
   solid.report.peakMemory = peakMemory();
   solid.report.seconds = watch.laps();
+  if (options.repair) {
+    solid.report.repair = known.repair;
+    solid.repaired = std::move(surface.mesh);
+  }
+  addWarnings(solid.report);
   context.enter(Stage::kDone, 1, 1);
   return solid;
+}
+
+}  // namespace
+
+Solid thicken(const TriangleMesh& surface, const Options& options, RunContext context) {
+  requireValid(options);
+  Known known;
+  try {
+    return thickenKnown(surface, options, std::move(context), known);
+  } catch (Error& error) {
+    if (known.input) error.setInput(*known.input);
+    if (known.repair) error.setRepair(std::move(*known.repair));
+    throw;
+  }
 }
 
 }  // namespace thicken

@@ -180,6 +180,21 @@ TEST(Drill, NamesWhatIsInTheWay) {
   expectRefused(solid, hole({10.9, 10.9, 2}, kDown, 3), ErrorCode::kNoSolid, "other parts");
 }
 
+TEST(Drill, TakesTheFirstPlaceThatWorks) {
+  const DrainHole holes[] = {hole({40, 40, 2}, kDown, 3), hole({2.5, 10, 2}, kDown, 3),
+                             hole({10, 10, 2}, kDown, 3), hole({5, 5, 2}, kDown, 3)};
+  const DrilledSolid drilled = drill(hollowBox(), holes);
+  EXPECT_EQ(drilled.candidate, 2u);
+  EXPECT_EQ(cavities(drilled.mesh), 0u);
+  try {
+    (void)drill(hollowBox(), std::span(holes, 2));
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("1 other place"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("no material"), std::string::npos) << error.what();
+  }
+}
+
 TEST(Drill, IsCancelled) {
   RunContext context;
   context.cancel();

@@ -19,6 +19,10 @@ Report sampleReport() {
   Report report;
   report.input.triangles = 12;
   report.input.rims = 2;
+  report.repair.emplace();
+  report.repair->removed = 2;
+  report.repair->changes = {{RepairKind::kSelfIntersecting, 2, 0.5, {3, 4}, {Vec3(1, 2, 3)}}};
+  report.repair->surface.triangles = 10;
   report.thickness = 2;
   report.side = Side::kBoth;
   report.method = Method::kSweep;
@@ -73,6 +77,12 @@ TEST(Report, HoldsTheFactsUnderTheirNames) {
   EXPECT_EQ(report["status"], "ok");
   EXPECT_EQ(report["input"]["triangles"], 12);
   EXPECT_EQ(report["input"]["rims"], 2);
+  EXPECT_EQ(report["repair"]["removed_triangles"], 2);
+  EXPECT_EQ(report["repair"]["changes"][0]["kind"], "self-intersecting");
+  EXPECT_EQ(report["repair"]["changes"][0]["removed"], true);
+  EXPECT_EQ(report["repair"]["changes"][0]["triangles"], json({3, 4}));
+  EXPECT_EQ(report["repair"]["changes"][0]["places_mm"][0], json({1, 2, 3}));
+  EXPECT_EQ(report["repair"]["surface"]["triangles"], 10);
   EXPECT_EQ(report["parameters"]["side"], "both");
   EXPECT_EQ(report["parameters"]["method"], "sweep");
   EXPECT_EQ(report["parameters"]["threads"], 3);
@@ -130,6 +140,18 @@ TEST(Report, OfARefusalListsTheDefects) {
   EXPECT_EQ(report["defects"][0]["edges"], json::parse("[[1,2]]"));
   EXPECT_EQ(report["defects"][0]["triangles"], json({7, 8, 9}));
   EXPECT_EQ(report["defects"][0]["place_mm"][0], 0.5);
+}
+
+TEST(Report, OfARefusalHoldsWhatIsKnownOfTheSurface) {
+  Error error(ErrorCode::kNoSolid, "it does not fit");
+  EXPECT_TRUE(json::parse(toJson(error))["input"].is_null());
+  EXPECT_TRUE(json::parse(toJson(error))["repair"].is_null());
+  SurfaceFacts facts;
+  facts.triangles = 7;
+  error.setInput(facts);
+  error.setRepair({});
+  EXPECT_EQ(json::parse(toJson(error))["input"]["triangles"], 7);
+  EXPECT_EQ(json::parse(toJson(error))["repair"]["removed_triangles"], 0);
 }
 
 TEST(Report, QuotesFileNamesThatAreNoUtf8) {

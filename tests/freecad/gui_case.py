@@ -79,6 +79,11 @@ class GuiCase(unittest.TestCase):
             window.resizeDocks(combo[:1], [370], QtCore.Qt.Horizontal)
         for inner in window.findChildren(QtGui.QMdiSubWindow):
             inner.close()  # the start page
+        # FreeCAD runs the tests while it "loads" them as a file, and shows its progress: end that.
+        progress = App.Base.ProgressIndicator()
+        progress.start("", 1)
+        progress.next()
+        progress.stop()
 
     def setUp(self):
         self.messages = []
@@ -172,14 +177,18 @@ class GuiCase(unittest.TestCase):
         click(port, QtCore.QPoint(int(pixel[0] / ratio), int(port.height() - 1 - pixel[1] / ratio)))
 
     def picture(self, name):
-        """Leave a picture of the screen behind, where THICKEN_GUI_PICTURES names a folder."""
+        """Leave a picture of FreeCAD's window behind, where THICKEN_GUI_PICTURES names a folder."""
+        self.picture_of(main_window(), name)
+
+    def picture_of(self, window, name):
+        """The same of any window."""
         for _ in range(3):
             process_events()
         if PICTURES:
             Path(PICTURES).mkdir(parents=True, exist_ok=True)
             target = Path(PICTURES) / f"{name}.png"
             # The window as it is on the screen: a widget's own grab() leaves the 3D view empty.
-            shown = QtGui.QGuiApplication.primaryScreen().grabWindow(main_window().winId())
+            shown = QtGui.QGuiApplication.primaryScreen().grabWindow(window.winId())
             self.assertTrue(shown.save(str(target)), f"{target} was not written")
 
     def view_image(self):

@@ -145,7 +145,6 @@ class Panel(GuiCase):
         self.assertEqual(len(panel.chosen[0].facets), 800)
         self.click_view(view.getPointOnScreen(App.Vector(-6.1, 5.3, 6.1)))
         self.assertEqual(len(panel.chosen[0].facets), 400)
-        self.look()
         self.picture("pick-region")
         click(self.child(panel, "Pick"))
         self.wait_preview(panel)

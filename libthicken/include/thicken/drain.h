@@ -4,6 +4,9 @@
 // part. Like every result of this library, a solid with a hole has passed the exact audit.
 #pragma once
 
+#include <cstddef>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "thicken/mesh.h"
@@ -25,19 +28,27 @@ struct DrilledSolid {
   Vec3 exit = Vec3::Zero();   ///< mm, where it leaves it
   Vec3 axis = Vec3::Zero();   ///< unit
   std::vector<Vec3> outline;  ///< mm, the corners of the cross-section in the plane through `entry`
+  std::size_t candidate = 0;  ///< which of the holes that were offered it is
   double walledFrom = 0;      ///< mm along the axis from `entry`: from here …
   double walledTo = 0;        ///< … to here the hole has its wall all around
 };
 
-/// Drills one hole. Corners of equal coordinates are made one vertex first.
+/// Drills the first of `candidates` that can be made; the others are left out. Corners of equal
+/// coordinates are made one vertex first.
 ///
 /// The part of the boundary that the hole goes through has to be visible along the axis: it may not
 /// fold back within the hole. The cross-section may be turned, and shifted by up to 2 % of the
 /// diameter, to keep clear of edges and vertices.
 ///
-/// Throws Error: kInvalidArgument for arguments out of range, kNoSolid with the reason where no such hole can
-/// be made or the solid is not valid in the first place, kCancelled.
-[[nodiscard]] DrilledSolid drill(const TriangleMesh& solid, const DrainHole& hole, RunContext context = {},
-                                 int threads = 0);
+/// Throws Error: kInvalidArgument for arguments out of range, kNoSolid with the reason of the first
+/// candidate where none can be made or the solid is not valid in the first place, kCancelled.
+[[nodiscard]] DrilledSolid drill(const TriangleMesh& solid, std::span<const DrainHole> candidates,
+                                 RunContext context = {}, int threads = 0);
+
+/// The same for one hole.
+[[nodiscard]] inline DrilledSolid drill(const TriangleMesh& solid, const DrainHole& hole,
+                                        RunContext context = {}, int threads = 0) {
+  return drill(solid, std::span(&hole, 1), std::move(context), threads);
+}
 
 }  // namespace thicken

@@ -4,12 +4,15 @@
 // on, a sentence that a designer understands, and the places in the input that caused it.
 #pragma once
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "thicken/mesh.h"
+#include "thicken/result.h"
 
 namespace thicken {
 
@@ -58,9 +61,20 @@ class Error : public std::runtime_error {
   [[nodiscard]] ErrorCode code() const noexcept { return code_; }
   [[nodiscard]] const std::vector<Defect>& defects() const noexcept { return defects_; }
 
+  /// What is known of the surface that was refused or could not be thickened; nothing where the run
+  /// ended before the surface was looked at.
+  [[nodiscard]] const std::optional<SurfaceFacts>& input() const noexcept { return input_; }
+  void setInput(const SurfaceFacts& facts) { input_ = facts; }
+
+  /// What was repaired before the run failed.
+  [[nodiscard]] const std::optional<RepairFacts>& repair() const noexcept { return repair_; }
+  void setRepair(RepairFacts facts) { repair_ = std::move(facts); }
+
  private:
   ErrorCode code_;
   std::vector<Defect> defects_;
+  std::optional<SurfaceFacts> input_;
+  std::optional<RepairFacts> repair_;
 };
 
 }  // namespace thicken

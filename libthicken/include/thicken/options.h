@@ -36,7 +36,8 @@ struct Options {
   std::optional<int> resolution;    ///< cells along the longest side of the box grown by r
   std::optional<double> tolerance;  ///< farthest that the shell may be from its definition
   std::optional<int> smooth;        ///< rounds of shape optimisation (§4.3); 0 to 100
-  bool repair = false;              ///< mend a defective input first and report every change
+  bool repair = false;              ///< mend a defective input first and report every change (repair.h)
+  std::optional<double> weld;       ///< with repair: mm, RepairOptions::weldDistance
   int threads = 0;                  ///< 0: all that the machine has
 };
 

@@ -6,11 +6,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "thicken/mesh.h"
 #include "thicken/options.h"
+#include "thicken/repair.h"
+#include "thicken/surface_facts.h"
 
 namespace thicken {
 
@@ -19,18 +22,6 @@ enum class Region : std::uint8_t {
   kOriginal,  ///< S itself
   kShell,     ///< inner shell: closest point on S is not on its rim (Definition 5b)
   kWall,      ///< cross-section: closest point on S is on its rim (Definition 5a)
-};
-
-/// What is known of the input.
-struct SurfaceFacts {
-  std::size_t triangles = 0;
-  std::size_t vertices = 0;
-  std::size_t rims = 0;  ///< closed boundary loops
-  std::size_t components = 0;
-  bool closed = false;
-  double area = 0;      ///< mm²
-  double diagonal = 0;  ///< mm, of the bounding box
-  double meanEdge = 0;  ///< mm
 };
 
 /// Distribution of a relative error over the shell's area.
@@ -55,8 +46,9 @@ struct AuditFacts {
 };
 
 struct Report {
-  SurfaceFacts input;
-  double thickness = 0;  ///< mm
+  SurfaceFacts input;                 ///< as it was given, before any repair
+  std::optional<RepairFacts> repair;  ///< with Options::repair: what was done to it
+  double thickness = 0;               ///< mm
   Side side = Side::kNegative;
   Method method = Method::kAuto;  ///< the one that was used
   double cell = 0;                ///< mm; 0 where no field was computed
@@ -83,9 +75,10 @@ struct Report {
 };
 
 struct Solid {
-  TriangleMesh mesh;           ///< new vertices hold float values; S comes first, in its own order
-  std::vector<Region> region;  ///< per triangle
-  std::vector<double> depth;   ///< mm per vertex of S: how deep the solid is below it
+  TriangleMesh mesh;                     ///< new vertices hold float values; S comes first, in its own order
+  std::vector<Region> region;            ///< per triangle
+  std::vector<double> depth;             ///< mm per vertex of S: how deep the solid is below it
+  std::optional<TriangleMesh> repaired;  ///< with Options::repair: S, the surface that was thickened
   Report report;
 };
 

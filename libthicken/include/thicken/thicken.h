@@ -12,11 +12,13 @@
 
 #include "thicken/check.h"
 #include "thicken/closest_point.h"
+#include "thicken/drain.h"
 #include "thicken/error.h"
 #include "thicken/inspect.h"
 #include "thicken/io.h"
 #include "thicken/mesh.h"
 #include "thicken/options.h"
+#include "thicken/repair.h"
 #include "thicken/report.h"
 #include "thicken/result.h"
 #include "thicken/run_context.h"
@@ -27,7 +29,8 @@ namespace thicken {
 ///
 /// Corners with equal coordinates are one vertex: `surface` is welded first, so that vertex and
 /// triangle ids in errors and in the result are those of weld(surface), which keeps the order of
-/// the triangles.
+/// the triangles. With Options::repair the surface that is thickened, and S in the guarantee, is the
+/// one that repair() makes of it.
 ///
 /// Throws Error: kInvalidArgument for options out of range; the codes of check() with all defects
 /// when `surface` is no valid input; kNoSolid when no valid solid was found within the limits;

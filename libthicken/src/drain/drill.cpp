@@ -153,18 +153,12 @@ void requireArguments(const DrainHole& hole) {
                     kMostSides));
 }
 
-}  // namespace
-
-DrilledSolid drill(const TriangleMesh& solid, const DrainHole& hole, RunContext context, int threads) {
-  requireArguments(hole);
-  const TriangleMesh mesh = weld(solid);
-  const AuditResult before = audit(mesh, {}, Side::kNegative, context, threads);
-  if (!before.defects.empty())
-    throw Error(ErrorCode::kNoSolid,
-                "There is no valid solid to drill: " + before.defects.front().sentence + ".", before.defects);
-  const auto across = neighbours(mesh.positions.size(), mesh.triangles);
+// The hole, or why there is none.
+std::optional<DrilledSolid> drillOne(const TriangleMesh& mesh,
+                                     const std::vector<std::array<TriangleId, 3>>& across,
+                                     const DrainHole& hole, const RunContext& context, int threads,
+                                     std::string& reason) {
   const Frame middle(hole.place, hole.axis);
-  std::string reason;
   for (int attempt = 0; attempt < kTries; ++attempt) {
     context.throwIfCancelled();
     // Never exactly on the place: it may be a vertex, which the axis must not meet.
@@ -177,14 +171,47 @@ DrilledSolid drill(const TriangleMesh& solid, const DrainHole& hole, RunContext 
       require(result, context, threads);
       result.mesh = weld(result.mesh);
       return result;
+    } catch (const drain::TooSteep& failure) {
+      reason = failure.what();
+      if (attempt > 0) return std::nullopt;
     } catch (const CannotCut& failure) {
       reason = failure.what();
     }
   }
-  throw Error(ErrorCode::kNoSolid,
-              fmt::format("A hole of {:.4g} mm cannot be drilled at {}: {}; choose another place, another "
-                          "direction or a smaller diameter.",
-                          hole.diameter, text(hole.place), reason));
+  return std::nullopt;
+}
+
+}  // namespace
+
+DrilledSolid drill(const TriangleMesh& solid, std::span<const DrainHole> candidates, RunContext context,
+                   int threads) {
+  if (candidates.empty())
+    throw Error(ErrorCode::kInvalidArgument, "There is no hole to drill: give a place.");
+  for (const DrainHole& hole : candidates) requireArguments(hole);
+  const TriangleMesh mesh = weld(solid);
+  const AuditResult before = audit(mesh, {}, Side::kNegative, context, threads);
+  if (!before.defects.empty())
+    throw Error(ErrorCode::kNoSolid,
+                "There is no valid solid to drill: " + before.defects.front().sentence + ".", before.defects);
+  const auto across = neighbours(mesh.positions.size(), mesh.triangles);
+  std::string reason, firstReason;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (auto drilled = drillOne(mesh, across, candidates[i], context, threads, reason)) {
+      drilled->candidate = i;
+      return *std::move(drilled);
+    }
+    if (i == 0) firstReason = reason;
+  }
+  const DrainHole& first = candidates.front();
+  throw Error(
+      ErrorCode::kNoSolid,
+      fmt::format("A hole of {:.4g} mm cannot be drilled at {}{}: {}; choose another place, another "
+                  "direction or a smaller diameter.",
+                  first.diameter, text(first.place),
+                  candidates.size() > 1 ? fmt::format(" nor at {} other place{}", candidates.size() - 1,
+                                                      candidates.size() == 2 ? "" : "s")
+                                        : "",
+                  firstReason));
 }
 
 }  // namespace thicken

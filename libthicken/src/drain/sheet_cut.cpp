@@ -104,7 +104,7 @@ void SheetCutter::gather(TriangleId start, SheetCut& result) {
     const auto& [a, b, c] = triangles_[t];
     const Vec3 normal = (positions_[b] - positions_[a]).cross(positions_[c] - positions_[a]);
     if (mirror_ * normal.dot(frame_.w) <= kLeastCosine * normal.norm())
-      throw CannotCut("the surface is too steep there or folds back within the hole");
+      throw TooSteep("the surface is too steep there or folds back within the hole");
     result.replaced.push_back(t);
     patch_.push_back(triangles_[t]);
     for (const TriangleId next : across_[t])

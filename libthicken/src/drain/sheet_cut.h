@@ -21,6 +21,11 @@ struct CannotCut : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// As before, and turning or shifting the outline a little will not help.
+struct TooSteep : CannotCut {
+  using CannotCut::CannotCut;
+};
+
 /// A right-handed frame whose third axis is the axis of the hole.
 struct Frame {
   Vec3 origin, u, v, w;

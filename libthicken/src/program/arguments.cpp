@@ -92,6 +92,11 @@ void describeThicken(CLI::App& app, Arguments& arguments) {
       ->type_name("E");
   app.add_option("--smooth", options.smooth, "Rounds of shape optimisation")->type_name("ROUNDS");
   app.add_flag("--repair", options.repair, "Mend a defective surface first and report every change");
+  app.add_option("--weld", options.weld,
+                 "With --repair: farthest that corners of rims may be apart to be one, mm")
+      ->type_name("E");
+  app.add_option("--repaired", arguments.repaired, "With --repair: write the surface that came of it, too")
+      ->type_name("FILE");
 }
 
 void describeCheck(CLI::App& app, Arguments& arguments) {
@@ -99,18 +104,26 @@ void describeCheck(CLI::App& app, Arguments& arguments) {
   app.add_option("INPUT", arguments.input, "Surface: .stl, .ply, .obj or .off")->required()->type_name("");
 }
 
-// The report must not take the place of a file of the user's, nor of the result.
+bool samePath(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code ignored;
+  return !a.empty() && !b.empty() &&
+         (a.lexically_normal() == b.lexically_normal() || std::filesystem::equivalent(a, b, ignored));
+}
+
+// What is written beside the result must not take the place of a file of the user's, nor of the result.
 void refuseSharedPaths(const Arguments& arguments) {
-  if (arguments.report.empty()) return;
-  const auto same = [&](const std::filesystem::path& other) {
-    std::error_code ignored;
-    return !other.empty() && (arguments.report.lexically_normal() == other.lexically_normal() ||
-                              std::filesystem::equivalent(arguments.report, other, ignored));
+  const auto taken = [&](const std::filesystem::path& path) {
+    return samePath(path, arguments.input) || samePath(path, arguments.output);
   };
-  if (same(arguments.input) || same(arguments.output))
+  if (taken(arguments.report) || samePath(arguments.report, arguments.repaired))
     throw Error(
         ErrorCode::kInvalidArgument,
         "--report names a file that the run reads or writes itself; give the report a name of its own");
+  if (taken(arguments.repaired))
+    throw Error(
+        ErrorCode::kInvalidArgument,
+        "--repaired names a file that the run reads or writes itself; give the repaired surface a name of "
+        "its own");
 }
 
 Error usageError(const CLI::ParseError& error, const std::string& command) {
@@ -140,6 +153,8 @@ Request readArguments(int argc, const char* const* argv) {
     throw usageError(error, command);
   }
   if (!check) requireValid(arguments.options);
+  if (!arguments.repaired.empty() && !arguments.options.repair)
+    throw Error(ErrorCode::kInvalidArgument, "--repaired writes what --repair makes; give --repair, too");
   arguments.memoryLimit = memory > 0 ? static_cast<std::size_t>(memory * kMebibyte) : machineMemory();
   refuseSharedPaths(arguments);
   return {arguments, {}};

@@ -17,10 +17,11 @@ enum class Command { kThicken, kCheck };
 struct Arguments {
   Command command = Command::kThicken;
   std::filesystem::path input;
-  std::filesystem::path output;  ///< kThicken only
-  std::filesystem::path report;  ///< empty: none
-  Options options;               ///< kThicken only; precision follows from the output
-  std::size_t memoryLimit = 0;   ///< bytes; 0: no limit
+  std::filesystem::path output;    ///< kThicken only
+  std::filesystem::path report;    ///< empty: none
+  std::filesystem::path repaired;  ///< kThicken only: where the repaired surface goes; empty: nowhere
+  Options options;                 ///< kThicken only; precision follows from the output
+  std::size_t memoryLimit = 0;     ///< bytes; 0: no limit
   bool quiet = false;
 };
 

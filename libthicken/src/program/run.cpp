@@ -32,10 +32,14 @@ Solid makeSolid(const Arguments& arguments, RunContext& context) {
   reading.lap("read");
   Options options = arguments.options;
   options.precision = storedPrecision(arguments.output);
+  // The repaired surface has to be found in the solid bit for bit, whatever either file stores.
+  if (!arguments.repaired.empty() && storedPrecision(arguments.repaired) == Precision::kSingle)
+    options.precision = Precision::kSingle;
   Solid solid = thicken(surface, options, context);
   context.throwIfCancelled();
   context.enter(Stage::kWriting, kWriteShare, 1);
   Stopwatch writing;
+  if (!arguments.repaired.empty()) writeMesh(arguments.repaired, *solid.repaired);
   writeMesh(arguments.output, solid.mesh);
   writing.lap("write");
   auto& seconds = solid.report.seconds;
@@ -92,6 +96,10 @@ void runThicken(const Arguments& arguments, RunContext context) {
     requireReadable(arguments.input);
     requireWritable(arguments.output);
     requireFolderFor(arguments.output);
+    if (!arguments.repaired.empty()) {
+      requireWritable(arguments.repaired);
+      requireFolderFor(arguments.repaired);
+    }
     solid = makeSolid(arguments, context);
   });
   writeReport(arguments, toJson(solid.report));

@@ -67,6 +67,15 @@ std::vector<std::uint32_t> copiesOf(const Conflicts& conflicts, const ConflictTe
   return ids;
 }
 
+std::vector<VertexId> surfaceVerticesOf(const Conflicts& conflicts, const SweptMesh& mesh) {
+  std::vector<VertexId> ids;
+  conflicts.forTriangles([&](TriangleId t) {
+    if (t >= mesh.surfaceTriangles) ids.insert(ids.end(), mesh.triangles[t].begin(), mesh.triangles[t].end());
+  });
+  sortUnique(ids);
+  return ids;
+}
+
 // The copies and those they are linked to: what a bound on the slope of the copies can come from.
 std::vector<std::uint32_t> withNeighbours(const std::vector<std::uint32_t>& copies, const CopyGraph& graph) {
   std::vector<std::uint32_t> all = copies;
@@ -88,6 +97,7 @@ RetreatResult retreat(SweptMesh& mesh, const CopyGraph& graph, ConflictTester& t
     auto moved = drawback.apply(conflicts, remainder(result.rounds));
     if (moved.empty() || ++result.rounds > kMostRounds) {
       result.stuck = copiesOf(conflicts, tester);
+      if (result.stuck.empty()) result.buried = surfaceVerticesOf(conflicts, mesh);
       break;
     }
     const auto more = limitSlope(mesh, graph, moved);

@@ -20,6 +20,9 @@ struct RetreatResult {
   /// Copies whose triangles still meet others at the least depth that their coordinates can tell
   /// from S, ascending; empty when nothing meets any more.
   std::vector<std::uint32_t> stuck;
+  /// Vertices of S between which triangles without a copy, the fillings of holes, still meet others when
+  /// nothing can be drawn back any more, ascending.
+  std::vector<VertexId> buried;
 };
 
 /// Lowers depths round by round: draws back the copies of the triangles that meet, keeps the slope,

@@ -32,12 +32,12 @@ namespace {
 constexpr int kMostRefills = 12;
 constexpr int kMostGrowths = 4;
 
-[[noreturn]] void throwNoSolid(const SweptMesh& mesh, const std::vector<std::uint32_t>& stuck) {
-  const VertexId v = mesh.copies[stuck.front()].base;
+[[noreturn]] void throwNoSolidAt(const SweptMesh& mesh, const std::vector<VertexId>& vertices) {
+  const VertexId v = vertices.front();
   const Vec3& p = mesh.positions[v];
   Defect d;
   d.code = ErrorCode::kNoSolid;
-  for (const std::uint32_t i : stuck) d.vertices.push_back(mesh.copies[i].base);
+  d.vertices = vertices;
   sortUnique(d.vertices);
   d.count = d.vertices.size();
   d.vertices.resize(std::min(d.vertices.size(), Defect::kMaxListed));
@@ -49,6 +49,12 @@ constexpr int kMostGrowths = 4;
       d.count, v, p.x(), p.y(), p.z());
   const std::string sentence = d.sentence;
   throw Error(ErrorCode::kNoSolid, sentence, {std::move(d)});
+}
+
+[[noreturn]] void throwNoSolid(const SweptMesh& mesh, const std::vector<std::uint32_t>& stuck) {
+  std::vector<VertexId> vertices;
+  for (const std::uint32_t i : stuck) vertices.push_back(mesh.copies[i].base);
+  throwNoSolidAt(mesh, vertices);
 }
 
 // The copies in groups of neighbours, so that each hole is treated by itself.
@@ -69,30 +75,32 @@ std::vector<std::vector<std::uint32_t>> groupsOf(const ShellSurgery& shell,
 }
 
 // Drops one group of copies. Where its hole cannot be filled, one more copy around it may do; else all
-// around it are dropped as well, and so on.
-void dropGroup(const SweptMesh& mesh, ShellSurgery& shell, std::vector<std::uint32_t> copies) {
+// around it are dropped as well, and so on. Returns whether it was possible.
+bool dropGroup(ShellSurgery& shell, std::vector<std::uint32_t> copies) {
   for (int growths = 0;; ++growths) {
     const auto around = shell.drop(copies);
-    if (around.empty()) return;
+    if (around.empty()) return true;
     const std::size_t before = copies.size();
     for (const std::uint32_t i : around) {
       auto more = copies;
       more.push_back(i);
-      if (shell.drop(more).empty()) return;
+      if (shell.drop(more).empty()) return true;
     }
     copies.insert(copies.end(), around.begin(), around.end());
     sortUnique(copies);
-    if (growths == kMostGrowths || copies.size() == before) throwNoSolid(mesh, copies);
+    if (growths == kMostGrowths || copies.size() == before) return false;
   }
 }
 
 void dropOrThrow(SweptMesh& mesh, const VertexTriangles& around, const std::vector<std::uint32_t>& copies) {
   if (copies.empty()) return;
   ShellSurgery shell(mesh, around);
+  std::vector<std::uint32_t> stuck;  // of all groups, so that an error names every place at once
   for (auto& group : groupsOf(shell, copies)) {
     std::erase_if(group, [&](std::uint32_t i) { return mesh.copies[i].dropped; });  // by another's growth
-    if (!group.empty()) dropGroup(mesh, shell, std::move(group));
+    if (!group.empty() && !dropGroup(shell, group)) stuck.insert(stuck.end(), group.begin(), group.end());
   }
+  if (!stuck.empty()) throwNoSolid(mesh, stuck);
 }
 
 // Merges copies without a direction with a neighbour, nearest first: slivers that are folded over
@@ -127,6 +135,7 @@ std::size_t settle(SweptMesh& mesh, const VertexTriangles& around, const RunCont
     ConflictTester tester(mesh, context, threads);
     const RetreatResult result = retreat(mesh, graph, tester, context);
     rounds += result.rounds;
+    if (!result.buried.empty()) throwNoSolidAt(mesh, result.buried);
     if (result.stuck.empty()) {
       advance(mesh, graph, tester, goal, context);
       return rounds;

@@ -1,0 +1,293 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Holes through which resin drains out of a hollow part, and plugs that close them again.
+
+Documents name this module and its two feature classes: neither may move or be renamed.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Iterable, NamedTuple
+
+import FreeCAD as App
+import Mesh
+
+from .beside import placement_in_parent_of, put_beside, show_instead_of
+from .proxy import StatelessProxy
+from .source_observer import observe_sources
+from .sources import RefusedError, kind_of
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+_RESULT = 1 | 8  # read-only, and changing it does not touch the document
+_HIDDEN = 4
+
+_INPUTS = [
+    ("App::PropertyLink", "Source", "The hollow solid"),
+    ("App::PropertyLength", "Diameter", "Diameter of the thickest round pin that passes a hole"),
+    ("App::PropertyIntegerConstraint", "Count", "Holes in each cavity, where no Places are given"),
+    ("App::PropertyVector", "Direction", "The direction in which the part grows while it is printed"),
+    ("App::PropertyVectorList", "Places", "Where to drill instead, without the Placement: points on the surface"),
+]
+_RESULTS = [
+    ("App::PropertyBool", "Valid", "Whether there is a solid with holes; it has been proved valid"),
+    ("App::PropertyVolume", "Volume", "Volume of the solid"),
+    ("App::PropertyInteger", "TriangleCount", "Triangles of the solid"),
+    ("App::PropertyInteger", "HoleCount", "Holes that were drilled"),
+    ("App::PropertyVectorList", "HolePlaces", "Where each hole begins, without the Placement"),
+    ("App::PropertyVectorList", "HoleAxes", "The way of each hole through the wall"),
+    ("App::PropertyFloatList", "HoleLengths", "How long each hole is, mm"),
+    ("App::PropertyInteger", "Trapped", "Cavities that are left closed"),
+    ("App::PropertyStringList", "Warnings", "What to know about the holes"),
+]
+# What a plug is made from: the corners of each cross-section, one after the other, and from where to
+# where each hole has its wall all around.
+_OUTLINES = [("App::PropertyVectorList", "Outlines"), ("App::PropertyFloatList", "Walled")]
+
+SIDES = 24
+
+
+class _Hole(NamedTuple):
+    entry: NDArray
+    axis: NDArray
+    length: float
+    outline: NDArray  #: SIDES × 3
+    walled: tuple[float, float]
+
+
+class DrainHolesFeature(StatelessProxy):
+    """Proxy of a Mesh::FeaturePython that holds the solid of its Source with holes in it."""
+
+    def ensure_properties(self, obj: Any) -> None:
+        present = set(obj.PropertiesList)
+        for kind, name, doc in _INPUTS:
+            if name not in present:
+                obj.addProperty(kind, name, "Drain", doc)
+        for kind, name, doc in _RESULTS:
+            if name not in present:
+                obj.addProperty(kind, name, "Result", doc, _RESULT)
+        for kind, name in _OUTLINES:
+            if name not in present:
+                obj.addProperty(kind, name, "Internal", "", _RESULT | _HIDDEN)
+        if "Diameter" not in present:
+            obj.Diameter = 3.5
+            obj.Count = (1, 1, 100, 1)  # value, least, most, step
+            obj.Direction = App.Vector(0, 0, 1)
+        obj.setEditorMode("Placement", 1)  # it follows the source's
+
+    def execute(self, obj: Any) -> None:
+        """Drill the holes. When that is refused, nothing of an earlier solid stays behind."""
+        try:
+            _require_solid(obj.Source, obj)
+            mesh, holes, facts, warnings = _drilled(obj)
+        except BaseException:
+            obj.Mesh = Mesh.Mesh()
+            _show(obj, [], None, [])
+            raise
+        mesh.Placement = placement_in_parent_of(obj, obj.Source)
+        obj.Mesh = mesh  # takes over the Placement as well
+        _show(obj, holes, facts, warnings)
+        for warning in warnings:
+            App.Console.PrintWarning(f"{obj.Label}: {warning}\n")
+
+
+class PlugFeature(StatelessProxy):
+    """Proxy of a Mesh::FeaturePython that holds a plug for each hole of its Source, where the holes are."""
+
+    def ensure_properties(self, obj: Any) -> None:
+        present = set(obj.PropertiesList)
+        if "Source" not in present:
+            obj.addProperty("App::PropertyLink", "Source", "Plug", "The solid with the holes")
+        if "Clearance" not in present:
+            obj.addProperty("App::PropertyLength", "Clearance", "Plug", "Between a plug and the wall of its hole")
+            obj.Clearance = 0.1
+        if "Valid" not in present:
+            obj.addProperty("App::PropertyBool", "Valid", "Result", "Whether there are plugs", _RESULT)
+        obj.setEditorMode("Placement", 1)
+
+    def execute(self, obj: Any) -> None:
+        try:
+            source = obj.Source
+            if source is None or not isinstance(source.Proxy, DrainHolesFeature) or not source.Valid:
+                raise RefusedError("There are no holes to plug. Set Source to a feature with drain holes.")
+            mesh = _plugs(source, obj.Clearance.Value)
+        except BaseException:
+            obj.Mesh = Mesh.Mesh()
+            obj.Valid = False
+            raise
+        mesh.Placement = placement_in_parent_of(obj, source)
+        obj.Mesh = mesh
+        obj.Valid = True
+
+
+observe_sources(DrainHolesFeature)
+
+
+def make_drain_holes(
+    doc: Any,
+    solid: Any,
+    diameter: Any = 3.5,
+    count: int = 1,
+    direction: Iterable[float] = (0, 0, 1),
+    places: Iterable[Iterable[float]] = (),
+    plug: bool = False,
+    *,
+    clearance: Any = 0.1,
+    name: str = "DrainHoles",
+) -> Any:
+    """Add a feature with the closed mesh object `solid` and holes in it to `doc`, recompute, and return it.
+
+    Without places, each cavity gets `count` holes: the first at its lowest place, seen along the print
+    direction `direction`, straight down through the wall or, where that is too steep, at a right angle. `places` are global points on the surface
+    instead; each gets a hole at a right angle to it. With `plug`, an object "Plugs" holds a plug for
+    each hole, thinner by `clearance` all around. Lengths are mm, quantities, or text with a unit.
+
+    What cannot be drilled does not raise: the feature's State then has "Invalid" and its
+    getStatusString() says why. Arguments that make no sense raise, and leave the document as it was.
+    """
+    _require_solid(solid)
+    inverse = solid.getGlobalPlacement().inverse()
+    local = [inverse.multVec(App.Vector(*place)) for place in places]
+    towards = App.Vector(*direction)
+    if not towards.Length > 0:
+        raise ValueError("direction must be longer than 0")
+    if not 1 <= int(count) <= 100:
+        raise ValueError(f"count must be 1 to 100, not {count}")
+    obj = doc.addObject("Mesh::FeaturePython", name)
+    try:
+        DrainHolesFeature(obj)
+        _set_length(obj, "Diameter", diameter)
+        obj.Count = int(count)
+        obj.Direction = towards
+        obj.Places = local
+        put_beside(obj, solid)
+        obj.Source = solid
+        if plug:
+            _add_plugs(doc, obj, clearance)
+    except Exception:
+        doc.removeObject(obj.Name)
+        raise
+    show_instead_of(obj, solid)
+    doc.recompute()
+    return obj
+
+
+def _add_plugs(doc: Any, holes: Any, clearance: Any) -> Any:
+    obj = doc.addObject("Mesh::FeaturePython", "Plugs")
+    try:
+        PlugFeature(obj)
+        _set_length(obj, "Clearance", clearance)
+        put_beside(obj, holes)
+        obj.Source = holes
+    except Exception:
+        doc.removeObject(obj.Name)
+        raise
+    if App.GuiUp:
+        from .view_provider import attach_view_provider
+
+        attach_view_provider(obj)
+    return obj
+
+
+def _set_length(obj: Any, name: str, value: Any) -> None:
+    try:
+        setattr(obj, name, value)
+    except ArithmeticError:  # a unit of something else than length
+        raise ValueError(f"{name.lower()} must be a length, not {value}") from None
+    if not getattr(obj, name).Value > 0:  # FreeCAD turns a negative length into 0
+        raise ValueError(f"{name.lower()} must be above 0 mm, not {value}")
+
+
+def _require_solid(source: Any, feature: Any = None) -> None:
+    if source is None:
+        raise RefusedError("No solid is chosen. Set Source to an object with a closed mesh.")
+    label = getattr(source, "Label", source)
+    if kind_of(source) != "mesh":
+        raise RefusedError(f"“{label}” is not a mesh. Choose an object with a closed mesh.")
+    if feature is not None and (source == feature or feature in source.OutListRecursive):
+        raise RefusedError(f"“{label}” depends on “{feature.Label}”. Choose another Source.")
+
+
+def _drilled(obj: Any) -> tuple[Any, list[_Hole], dict[str, Any], list[str]]:
+    """The mesh, the holes, what is known of the solid, and warnings."""
+    try:
+        from . import native
+        from .drill_plan import drill_cavities, drill_places
+        from .mesh_io import MeshTransferError, arrays_from_mesh, mesh_from_arrays
+
+        extension = native.load()
+    except ImportError as error:
+        raise RefusedError(str(error)) from None
+    if not obj.Diameter.Value > 0:
+        raise RefusedError("Diameter is 0 mm. Set it to more than that.")
+    if not obj.Direction.Length > 0:
+        raise RefusedError("Direction is 0. Set it to the direction in which the part is printed.")
+    try:
+        vertices, triangles = arrays_from_mesh(obj.Source.Mesh)
+        if len(triangles) == 0:
+            raise RefusedError(f"“{obj.Source.Label}” has no mesh. Mend that first.")
+        vertices = vertices.astype(float)
+        if obj.Places:
+            vertices, triangles, found = drill_places(
+                extension, vertices, triangles, [tuple(place) for place in obj.Places], obj.Diameter.Value, SIDES
+            )
+            warnings: list[str] = []
+        else:
+            up = obj.Source.getGlobalPlacement().Rotation.inverted().multVec(obj.Direction)
+            vertices, triangles, found, warnings = drill_cavities(
+                extension, vertices, triangles, tuple(up.normalize()), obj.Diameter.Value, obj.Count, SIDES
+            )
+        facts = extension.inspect(vertices, triangles)
+        trapped = [shell["volume_mm3"] / 1000 for shell in facts["shells"] if shell["cavity"]]
+        if trapped:
+            volumes = ", ".join(f"{volume:.3g}" for volume in sorted(trapped, reverse=True))
+            warnings.append(f"{len(trapped)} cavities stay closed, of {volumes} mL.")
+        holes = [
+            _Hole(hole["entry"], hole["axis"], App.Vector(*hole["exit"]).distanceToPoint(App.Vector(*hole["entry"])),
+                  hole["outline"], hole["walled"])
+            for hole in found
+        ]  # fmt: skip
+        return mesh_from_arrays(vertices, triangles), holes, facts, warnings
+    except extension.ThickenError as error:
+        raise RefusedError(str(error)) from None
+    except MeshTransferError as error:
+        raise RefusedError(str(error)) from None
+
+
+def _show(obj: Any, holes: list[_Hole], facts: dict[str, Any] | None, warnings: list[str]) -> None:
+    obj.Valid = facts is not None
+    obj.Volume = facts["volume_mm3"] if facts else 0
+    obj.TriangleCount = obj.Mesh.CountFacets
+    obj.HoleCount = len(holes)
+    obj.HolePlaces = [App.Vector(*hole.entry) for hole in holes]
+    obj.HoleAxes = [App.Vector(*hole.axis) for hole in holes]
+    obj.HoleLengths = [hole.length for hole in holes]
+    obj.Trapped = sum(shell["cavity"] for shell in facts["shells"]) if facts else 0
+    obj.Warnings = warnings
+    obj.Outlines = [App.Vector(*corner) for hole in holes for corner in hole.outline]
+    obj.Walled = [end for hole in holes for end in hole.walled]
+
+
+def _plugs(holes: Any, clearance: float) -> Any:
+    import numpy as np
+
+    from . import native
+    from .mesh_io import mesh_from_arrays
+    from .plug import plug_arrays
+
+    if not 0 < 2 * clearance < holes.Diameter.Value:
+        raise RefusedError("Clearance must be above 0 mm and below half of the diameter of the holes.")
+    outlines = np.array([tuple(corner) for corner in holes.Outlines]).reshape(len(holes.HolePlaces), -1, 3)
+    walled = np.array(holes.Walled).reshape(-1, 2)
+    axes = np.array([tuple(axis) for axis in holes.HoleAxes])
+    fits = walled[:, 1] - walled[:, 0] > 2 * clearance
+    if not fits.all():
+        what = f"{int((~fits).sum())} of {len(fits)} holes get no plug: their wall is too slanted to hold one."
+        if not fits.any():
+            raise RefusedError(f"{what} Choose a smaller diameter or other places.")
+        App.Console.PrintWarning(f"{holes.Label}: {what}\n")
+    vertices, triangles = plug_arrays(outlines[fits], axes[fits], walled[fits], clearance)
+    facts = native.load().inspect(vertices, triangles)
+    if facts["status"] != "ok":
+        raise RefusedError("The plugs overlap: put the holes further apart.")
+    return mesh_from_arrays(vertices, triangles)

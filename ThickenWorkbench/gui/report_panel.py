@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The Printability Report task panel: shows the facts about a solid, and saves them with pictures."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import FreeCAD as App
+import FreeCADGui as Gui
+
+from .. import preferences
+from ..printability import printability
+from ..sources import bound_box
+from . import macro, messages
+from .camera import go_to, view_of
+from .directions import direction, direction_box
+from .job import Job
+from .overlay import over_view, points
+from .qt import QtCore, QtWidgets, length_box, on_value, standard_buttons
+from .report_summary import place_of, summary
+
+translate = App.Qt.translate
+
+_PAUSE_MS = 300
+
+# So much of the diagonal is shown around a place.
+_AROUND = 0.15
+
+
+class ReportPanel:
+    """Shown by Gui.Control.showDialog(); changes nothing in the document."""
+
+    def __init__(self, solid: Any) -> None:
+        self.solid = solid
+        self.report: Any = None  #: of the inputs that are shown; None while it is computed
+        self._job: Job | None = None
+        self._timer = QtCore.QTimer()
+        self._timer.setSingleShot(True)
+        self._timer.timeout.connect(self._compute)
+        self._view = view_of(solid.Document)
+        self._overlay = over_view(self._view)
+        self._build()
+        Gui.Selection.clearSelection()
+        self._edited()
+
+    def getStandardButtons(self) -> Any:
+        return standard_buttons("Close")
+
+    def isAllowedAlterSelection(self) -> bool:
+        return True
+
+    def reject(self) -> bool:
+        self._timer.stop()
+        if self._job is not None:
+            self._job.abandon()
+        self._overlay.remove()
+        return True
+
+    def go(self, link: Any) -> None:
+        """Go to the place that a link of the summary names."""
+        place = place_of(link.toString())
+        go_to(self._view, place, _AROUND * bound_box(self.solid).DiagonalLength)
+        self._overlay.show(points([place], preferences.colour("ColorDefect"), 12.0))
+
+    def _build(self) -> None:
+        self.form = QtWidgets.QWidget()
+        self.form.setObjectName("ReportPanel")
+        self.form.setWindowTitle(translate("Thicken", "Printability Report"))
+        column = QtWidgets.QVBoxLayout(self.form)
+        rows = QtWidgets.QFormLayout()
+        column.addLayout(rows)
+        self.direction = direction_box()
+        self.direction.currentIndexChanged.connect(lambda _: self._edited())
+        rows.addRow(translate("Thicken", "Printed towards"), self.direction)
+        self.minimum = length_box(preferences.get("MinimumWall"), minimum=0.01)
+        self.minimum.setObjectName("Minimum")
+        on_value(self.minimum, lambda _: self._edited())
+        rows.addRow(translate("Thicken", "Thinnest wall that prints"), self.minimum)
+        self.facts = QtWidgets.QTextBrowser()
+        self.facts.setOpenLinks(False)
+        self.facts.anchorClicked.connect(self.go)
+        self.facts.setObjectName("Facts")
+        self.facts.setMinimumHeight(320)
+        column.addWidget(self.facts, 1)
+        self.save = QtWidgets.QPushButton(translate("Thicken", "Save …"))
+        self.save.setObjectName("Save")
+        self.save.clicked.connect(self._save)
+        column.addWidget(self.save)
+
+    def _inputs(self) -> dict[str, Any]:
+        return {
+            "direction": direction(self.direction),
+            "minimum_wall": round(float(self.minimum.property("rawValue")), 9),
+        }
+
+    def _edited(self) -> None:
+        if self._job is not None:
+            self._job.abandon()
+            self._job = None
+        self.report = None
+        self._overlay.show()
+        self.save.setEnabled(False)
+        self.facts.setPlainText(translate("Thicken", "Measuring …"))
+        self._timer.start(_PAUSE_MS)
+
+    def _compute(self) -> None:
+        inputs = self._inputs()
+        self._job = Job([lambda _: printability(self.solid, **inputs)], self._computed).start()
+
+    def _computed(self, job: Job) -> None:
+        self._job = None
+        if job.error is not None:
+            self.facts.setPlainText(messages.sentences(job.error))
+            return
+        (self.report,) = job.results
+        macro.record("report", self.report, "printability", self.solid, **self._inputs())
+        self.facts.setHtml(summary(self.report))
+        self.save.setEnabled(True)
+
+    def _save(self) -> None:
+        folder = Path(self.solid.Document.FileName).parent if self.solid.Document.FileName else Path.home()
+        name, _ = QtWidgets.QFileDialog.getSaveFileName(
+            Gui.getMainWindow(),
+            translate("Thicken", "Save the report"),
+            str(folder / f"{self.solid.Label}.html"),
+            translate("Thicken", "Page with pictures (*.html);;Data (*.json)"),
+        )
+        if not name:
+            return
+        try:
+            macro.run(macro.call("write_report", self.solid, name, **self._inputs()))
+        except OSError as error:
+            messages.warn(translate("Thicken", "Nothing was written"), str(error))

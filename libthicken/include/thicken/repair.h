@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Makes a valid surface of a defective one, gently: near-equal corners of rims become one vertex,
+// triangles without area and repeated ones are dropped, neighbours are given one sense, and where
+// triangles meet, crowd at an edge or touch in a point only, as few of them as possible are removed.
+//
+// Guarantee: the result is empty of every defect that check() knows. No corner moves but those that
+// are welded to another; every triangle of the result is one of the input (in either sense) or an
+// exact part of one that was divided. A valid surface comes back as it was, bit for bit.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "thicken/mesh.h"
+#include "thicken/run_context.h"
+#include "thicken/surface_facts.h"
+
+namespace thicken {
+
+enum class RepairKind {
+  kWelded,             ///< corners moved onto a corner nearby
+  kNotFinite,          ///< triangles removed: a corner is no number
+  kDegenerate,         ///< triangles removed: no area
+  kDuplicate,          ///< triangles removed: there twice
+  kDivided,            ///< triangles divided at corners that lie on one of their edges, shape unchanged
+  kTurned,             ///< triangles turned over
+  kNonManifoldEdge,    ///< triangles removed: more than two at an edge
+  kOneSided,           ///< triangles removed: a strip across a one-sided part
+  kSelfIntersecting,   ///< triangles removed: they meet others
+  kNonManifoldVertex,  ///< triangles removed: parts touched in a point only
+  kFolded,  ///< triangles removed by thicken(): no wall fits below so sharp a fold, so narrow a gap
+};
+
+/// The kind as it is printed and documented: "welded", "self-intersecting", …
+[[nodiscard]] std::string_view name(RepairKind kind) noexcept;
+/// Whether the triangles of a change of this kind are gone.
+[[nodiscard]] bool removes(RepairKind kind) noexcept;
+
+/// Everything of one kind that was changed.
+struct RepairChange {
+  static constexpr std::size_t kMaxPlaces = 1000;
+
+  RepairKind kind = RepairKind::kWelded;
+  std::size_t count = 0;  ///< triangles, or parts of divided ones; kWelded: corners
+  double area = 0;        ///< mm², of these triangles
+  std::vector<TriangleId>
+      triangles;             ///< their ids in the input, ascending; kWelded: those with such a corner
+  std::vector<Vec3> places;  ///< mm, a point in each of the first kMaxPlaces of them
+};
+
+struct RepairFacts {
+  double weldDistance = 0;  ///< mm, the farthest that corners were welded over
+  std::size_t removed = 0;  ///< triangles, or parts of divided ones, that are gone
+  double removedArea = 0;   ///< mm²
+  std::vector<RepairChange>
+      changes;           ///< in the order of RepairKind, one entry a kind; empty: nothing to mend
+  SurfaceFacts surface;  ///< what came of it
+};
+
+struct RepairOptions {
+  /// mm, 0 or more: corners of rims that are at most so far apart, and not farther than half the
+  /// shortest edge at either, become one. Unset: a millionth of the bounding box's diagonal.
+  std::optional<double> weldDistance;
+};
+
+struct RepairResult {
+  TriangleMesh mesh;
+  std::vector<TriangleId>
+      origin;  ///< per triangle of `mesh`: the triangle of the input that it is (a part) of
+  RepairFacts facts;
+};
+
+/// Repairs `surface`, whose corners with equal coordinates have to be one vertex already (weld()).
+/// The surface is not looked into for near corners when it is valid and no distance is given.
+/// Throws Error: the code of the first defect when nothing remains; kInvalidArgument; kCancelled;
+/// kMemoryLimit. Cost: O((n + k) log n) for k pairs of triangles that meet.
+[[nodiscard]] RepairResult repair(const TriangleMesh& surface, const RepairOptions& options = {},
+                                  RunContext context = {}, int threads = 0);
+
+}  // namespace thicken

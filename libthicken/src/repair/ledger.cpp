@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "repair/ledger.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "check/surface_facts.h"
+#include "thicken/check.h"
+
+namespace thicken::repairing {
+
+Ledger::Ledger(const RepairFacts& before) {
+  for (const RepairChange& change : before.changes) changes_[change.kind] = change;
+}
+
+void Ledger::add(RepairKind kind, TriangleId origin, double area, const Vec3& place) {
+  RepairChange& change = changes_[kind];
+  change.kind = kind;
+  ++change.count;
+  if (std::isfinite(area)) change.area += area;
+  change.triangles.push_back(origin);
+  if (change.places.size() < RepairChange::kMaxPlaces && isFinite(place)) change.places.push_back(place);
+}
+
+RepairFacts Ledger::facts(double weldDistance) && {
+  RepairFacts facts;
+  facts.weldDistance = weldDistance;
+  for (auto& [kind, change] : changes_) {
+    auto& ids = change.triangles;
+    std::sort(ids.begin(), ids.end());
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+    if (removes(kind)) {
+      facts.removed += change.count;
+      if (kind != RepairKind::kDuplicate) facts.removedArea += change.area;
+    }
+    facts.changes.push_back(std::move(change));
+  }
+  return facts;
+}
+
+RepairResult packed(const Workpiece& piece, double weldDistance, Ledger ledger) {
+  RepairResult result;
+  TriangleMesh rest;
+  rest.positions = piece.mesh.positions;
+  std::vector<TriangleId> order(piece.mesh.triangles.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](TriangleId a, TriangleId b) { return piece.origin[a] < piece.origin[b]; });
+  for (const TriangleId t : order) {
+    if (piece.present[t] == 0) {
+      ledger.add(piece.reason[t], piece.origin[t], piece.area(t), piece.middle(t));
+      continue;
+    }
+    rest.triangles.push_back(piece.mesh.triangles[t]);
+    result.origin.push_back(piece.origin[t]);
+    if (piece.turned[t] != 0)
+      ledger.add(RepairKind::kTurned, piece.origin[t], piece.area(t), piece.middle(t));
+  }
+  result.mesh = weld(rest);
+  result.facts = std::move(ledger).facts(weldDistance);
+  return result;
+}
+
+}  // namespace thicken::repairing

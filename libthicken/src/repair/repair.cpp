@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "thicken/repair.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "check/surface_facts.h"
+#include "repair/bad_triangles.h"
+#include "repair/cover.h"
+#include "repair/crowded_edges.h"
+#include "repair/fans.h"
+#include "repair/ledger.h"
+#include "repair/meetings.h"
+#include "repair/near_corners.h"
+#include "repair/put_back.h"
+#include "repair/sense.h"
+#include "repair/workpiece.h"
+#include "thicken/check.h"
+
+namespace thicken {
+
+std::string_view name(RepairKind kind) noexcept {
+  switch (kind) {
+    case RepairKind::kWelded:
+      return "welded";
+    case RepairKind::kNotFinite:
+      return "not-finite";
+    case RepairKind::kDegenerate:
+      return "degenerate";
+    case RepairKind::kDuplicate:
+      return "duplicate";
+    case RepairKind::kDivided:
+      return "divided";
+    case RepairKind::kTurned:
+      return "turned";
+    case RepairKind::kNonManifoldEdge:
+      return "non-manifold-edge";
+    case RepairKind::kOneSided:
+      return "one-sided";
+    case RepairKind::kSelfIntersecting:
+      return "self-intersecting";
+    case RepairKind::kNonManifoldVertex:
+      return "non-manifold-vertex";
+    case RepairKind::kFolded:
+      return "folded";
+  }
+  return "";
+}
+
+bool removes(RepairKind kind) noexcept {
+  return kind != RepairKind::kWelded && kind != RepairKind::kDivided && kind != RepairKind::kTurned;
+}
+
+namespace {
+
+using repairing::Workpiece;
+
+double distanceToWeld(const TriangleMesh& surface, const RepairOptions& options) {
+  constexpr double kShareOfDiagonal = 1e-6;
+  if (options.weldDistance) {
+    if (!(*options.weldDistance >= 0) || !std::isfinite(*options.weldDistance))
+      throw Error(
+          ErrorCode::kInvalidArgument,
+          fmt::format("the distance to weld corners over must be 0 or a positive number of millimetres, "
+                      "not {}",
+                      *options.weldDistance));
+    return *options.weldDistance;
+  }
+  Eigen::AlignedBox3d box;
+  for (const Vec3& p : surface.positions)
+    if (isFinite(p)) box.extend(p);
+  return box.isEmpty() ? 0 : kShareOfDiagonal * box.diagonal().norm();
+}
+
+// Moves corners onto near ones and notes the triangles at them.
+void weldNearCorners(Workpiece& piece, double distance, repairing::Ledger& ledger) {
+  const repairing::NearCorners near = repairing::nearCorners(piece.mesh, distance);
+  if (near.moved == 0) return;
+  for (TriangleId t = 0; t < piece.mesh.triangles.size(); ++t) {
+    Triangle& c = piece.mesh.triangles[t];
+    const Triangle before = c;
+    for (VertexId& v : c) v = near.onto[v];
+    if (c != before) ledger.add(RepairKind::kWelded, t, piece.area(t), piece.middle(t));
+  }
+  ledger.setCount(RepairKind::kWelded, near.moved);
+}
+
+// Removes as little as it takes that no two triangles meet, and no vertex joins several fans.
+void separate(Workpiece& piece, const repairing::KnownMeetings& known) {
+  const std::size_t count = piece.mesh.triangles.size();
+  const repairing::MeetingGraph graph(count, known.pairs);
+  // By area, but a triangle is a loss of its own, too: many slivers are not better than one triangle.
+  std::vector<double> weight(count);
+  for (TriangleId t = 0; t < count; ++t) weight[t] = piece.area(t);
+  const double mean = std::accumulate(weight.begin(), weight.end(), 0.0) / static_cast<double>(count);
+  for (double& w : weight) w = (std::isfinite(w) ? w : 0) + mean;
+  for (const TriangleId t : repairing::smallCover(graph, piece.present, weight))
+    piece.remove(t, RepairKind::kSelfIntersecting);
+  const VertexTriangles around = vertexTriangles(piece.mesh.positions.size(), piece.mesh.triangles);
+  openPinchedVertices(piece, around);
+  std::vector<std::uint8_t> candidate(count, 0);
+  for (TriangleId t = 0; t < count; ++t) {
+    const RepairKind why = piece.reason[t];
+    candidate[t] = piece.present[t] == 0 && known.goneForGood[t] == 0 &&
+                   (why == RepairKind::kNonManifoldEdge || why == RepairKind::kOneSided ||
+                    why == RepairKind::kSelfIntersecting || why == RepairKind::kNonManifoldVertex);
+  }
+  putBack(piece, around, graph, candidate);
+}
+
+RepairResult unchanged(const TriangleMesh& surface, const SurfaceFacts& facts) {
+  RepairResult result;
+  result.facts.surface = facts;
+  result.mesh = surface;
+  result.origin.resize(surface.triangles.size());
+  std::iota(result.origin.begin(), result.origin.end(), 0u);
+  return result;
+}
+
+[[noreturn]] void refuseAll(const CheckResult& given) {
+  const Defect& first = given.defects.front();
+  if (first.code == ErrorCode::kEmpty) throw Error(first.code, first.sentence, given.defects);
+  throw Error(first.code, "nothing remains of the surface once its defects are removed: " + first.sentence,
+              given.defects);
+}
+
+}  // namespace
+
+RepairResult repair(const TriangleMesh& surface, const RepairOptions& options, RunContext context,
+                    int threads) {
+  const double distance = distanceToWeld(surface, options);
+  const CheckResult given = check(surface, context, threads);
+  if (given.valid() && !(options.weldDistance && distance > 0)) return unchanged(surface, given.facts);
+
+  repairing::Ledger ledger;
+  Workpiece piece(surface);
+  weldNearCorners(piece, distance, ledger);
+  dropBadTriangles(piece, context, threads);
+  const repairing::KnownMeetings known = findMeetings(piece, context, threads);
+  thinCrowdedEdges(piece);
+  makeSenseConsistent(piece);
+  context.throwIfCancelled();
+  separate(piece, known);
+  RepairResult result = packed(piece, distance, std::move(ledger));
+  if (result.mesh.triangles.empty()) refuseAll(given);
+  CheckResult proof = check(result.mesh, context, threads);
+  if (!proof.valid())
+    throw Error(ErrorCode::kInternal, "the repaired surface is not valid: " + proof.defects.front().sentence,
+                std::move(proof.defects));
+  result.facts.surface = proof.facts;
+  return result;
+}
+
+}  // namespace thicken

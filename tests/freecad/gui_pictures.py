@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Takes the pictures of docs/tutorial.md by clicking through it. Run by scripts/pictures."""
+
+from pathlib import Path
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import Mesh
+import MeshPart
+import Part
+
+from gui_case import GuiCase, click, process_events, type_text, wait_until
+
+DATA = Path(__file__).resolve().parents[2] / "examples" / "data"
+
+
+class Tutorial(GuiCase):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        # A plain background: what matters stands out, and the pictures are small.
+        view = App.ParamGet("User parameter:BaseApp/Preferences/View")
+        view.SetBool("Simple", True)
+        view.SetBool("Gradient", False)
+        view.SetUnsigned("BackgroundColor", 0xF4F6F8FF)
+
+    def from_below(self):
+        Gui.activeDocument().activeView().setCameraOrientation(App.Rotation(App.Vector(1, 0.25, 0.1), 125))
+        Gui.SendMsgToActiveView("ViewFit")
+        Gui.Selection.clearSelection()
+        process_events()
+
+    def show(self, *, view="Isometric"):
+        getattr(Gui.activeDocument().activeView(), f"view{view}")()
+        Gui.SendMsgToActiveView("ViewFit")
+        process_events()
+
+    def ok(self):
+        self.press("Ok")
+        self.wait_closed()
+
+    def close(self):
+        self.press("Close")
+        self.wait_closed()
+
+    def test_a_jacket_for_a_bone(self):
+        Mesh.insert(str(DATA / "femur.ply"), self.doc.Name)
+        (scan,) = self.doc.Objects
+        scan.Label = "Femur"
+        self.show()
+        self.picture("scan")
+        self.select(scan)
+        panel = self.run_command("Thicken_Check")
+        wait_until(lambda: panel.defects is not None, "the surface is checked")
+        self.picture("check")
+        self.close()
+        self.select(scan)
+        panel = self.run_command("Thicken_Make")
+        type_text(self.child(panel, "Thickness"), "3 mm")
+        click(self.child(panel, "Flip"))
+        wait_until(lambda: not panel._preview.busy(), "the preview is there")
+        self.picture("thicken")
+        self.ok()
+        feature = self.doc.getObject("Thicken")
+        self.assertTrue(feature.Valid)
+        self.from_below()
+        self.picture("regions")
+        self.select(feature)
+        panel = self.run_command("Thicken_Map")
+        wait_until(lambda: panel.map is not None, "the map is there")
+        self.picture("thickness-map")
+        self.close()
+
+    def test_b_hollow_pawn(self):
+        Mesh.insert(str(DATA / "pawn.ply"), self.doc.Name)
+        (figure,) = self.doc.Objects
+        figure.Label = "Pawn"
+        self.show()
+        self.select(figure)
+        panel = self.run_command("Thicken_Make")
+        type_text(self.child(panel, "Thickness"), "2 mm")
+        wait_until(lambda: not panel._preview.busy(), "the preview is there")
+        self.picture("hollow")
+        self.ok()
+        solid = self.doc.getObject("Thicken")
+        self.assertTrue(solid.Valid, solid.getStatusString())
+        self.select(solid)
+        panel = self.run_command("Thicken_Report")
+        wait_until(lambda: panel.report is not None, "the report is there")
+        self.picture("report")
+        self.close()
+        self.select(solid)
+        panel = self.run_command("Thicken_Drain")
+        self.picture("drain")
+        self.ok()
+        drained = self.doc.getObject("DrainHoles")
+        self.assertTrue(drained.Valid, drained.getStatusString())
+        self.from_below()
+        self.picture("drained")
+
+    def test_c_region(self):
+        body = self.doc.addObject("Part::Feature", "Body")
+        body.Shape = Part.makeCylinder(15, 20).fuse(Part.makeBox(40, 12, 8, App.Vector(0, -6, 0)))
+        scan = self.doc.addObject("Mesh::Feature", "Bracket")
+        scan.Mesh = MeshPart.meshFromShape(Shape=body.Shape, LinearDeflection=0.05, AngularDeflection=0.2)
+        body.ViewObject.Visibility = False
+        self.doc.recompute()
+        self.show()
+        self.select(scan)
+        panel = self.run_command("Thicken_Make")
+        wait_until(lambda: not panel._preview.busy(), "the preview is there")
+        click(self.child(panel, "Pick"))
+        view = Gui.activeDocument().activeView()
+        self.click_view(view.getPointOnScreen(App.Vector(0, 0, 20)))
+        self.click_view(view.getPointOnScreen(App.Vector(10.6, -10.6, 14)))
+        self.assertGreater(len(panel.chosen[0].facets), 20)
+        self.picture("region")
+        self.press("Cancel")
+        self.wait_closed()
