@@ -15,8 +15,8 @@ namespace {
 
 // A copy this deep is deep enough.
 constexpr double kFull = 0.98;
-// Where a deep wall ends, in r: a little before the shell, so that the contour meets it from one side.
-constexpr double kEnd = 0.995;
+// Where a deep wall ends, in r: not beyond the shell, where the contour would have to turn around.
+constexpr double kEnd = 0.9999;
 // Share of the distance that a longer way must bring.
 constexpr double kKeep = 0.9;
 constexpr double kStep = 1.12;

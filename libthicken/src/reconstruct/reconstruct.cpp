@@ -8,7 +8,9 @@
 #include <utility>
 
 #include "exact/box_tree.h"
+#include "measure/measure.h"
 #include "measure/stopwatch.h"
+#include "mesh/bounds.h"
 #include "mesh/normals.h"
 #include "parallel_for.h"
 #include "reconstruct/attempt.h"
@@ -20,7 +22,7 @@ namespace thicken {
 
 namespace {
 
-constexpr int kMostRefinements = 16;
+constexpr int kMostRefinements = 16, kMostYields = 12;
 // Reach of a refinement in cells, and its growth from one to the next, so that they end.
 constexpr double kFirstReach = 0.5, kReachGrowth = 1.4;
 
@@ -34,17 +36,34 @@ bool refine(const SweepResult& swept, const exact::BoxTree& shell, const Assembl
   for (double reach = first; reach < kFarthest * width && !any; reach *= 2)
     for (const TriangleId t : meeting) {
       if (t < assembly.carrierTriangles) continue;
-      Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
-      for (const VertexId v : assembly.mesh.triangles[t]) {
-        low = low.cwiseMin(assembly.mesh.positions[v]);
-        high = high.cwiseMax(assembly.mesh.positions[v]);
-      }
-      for (const TriangleId s : shell.near(low - Vec3::Constant(reach), high + Vec3::Constant(reach))) {
+      Bounds b;
+      for (const VertexId v : assembly.mesh.triangles[t]) b.add(assembly.mesh.positions[v]);
+      for (const TriangleId s : shell.near(b.low - Vec3::Constant(reach), b.high + Vec3::Constant(reach))) {
         any |= keep[s] == 0;
         keep[s] = 1;
       }
     }
   if (any) closeFans(swept.mesh, keep);
+  return any;
+}
+
+// Gives pieces of the sweep's shell near the triangles that meet over to the contour, with all that its own
+// rim would pinch. Returns whether there were any; each is given over once.
+bool yield(const SweepResult& swept, const exact::BoxTree& shell, const Assembly& assembly,
+           std::span<const TriangleId> meeting, double reach, std::vector<std::uint8_t>& yielded,
+           std::vector<std::uint8_t>& keep) {
+  bool any = false;
+  for (const TriangleId t : meeting) {
+    Bounds b;
+    for (const VertexId v : assembly.mesh.triangles[t]) b.add(assembly.mesh.positions[v]);
+    for (const TriangleId s : shell.near(b.low - Vec3::Constant(reach), b.high + Vec3::Constant(reach))) {
+      if (yielded[s]) continue;
+      yielded[s] = 1;
+      any |= keep[s] != 0;
+      keep[s] = 0;
+    }
+  }
+  if (any) openFans(swept.mesh, swept.region, keep);
   return any;
 }
 
@@ -120,12 +139,14 @@ Reconstruction finish(const Assembly& assembly, const TriangleMesh& surface, con
 Reconstruction complete(const TriangleMesh& surface, const ClosestPointTree& tree, const SweepResult& swept,
                         std::vector<std::uint8_t> keep, double width, const Options& options,
                         const RunContext& context, int threads, Stopwatch& watch) {
+  openFans(swept.mesh, swept.region, keep);
   std::vector<std::uint8_t> isShell(keep.size());
   for (std::size_t t = 0; t < keep.size(); ++t) isShell[t] = swept.region[t] == Region::kShell;
   closeFans(swept.mesh, keep);
   const exact::BoxTree shell(swept.mesh.positions, swept.mesh.triangles, threads, isShell);
   Attempt attempt(surface, tree, swept, options, width, context, threads);
-  int refinements = 0;
+  int refinements = 0, yields = 0;
+  std::vector<std::uint8_t> yielded(keep.size(), 0);
   for (std::size_t round = 0;; ++round) {
     const std::vector<TriangleId> meeting = attempt.run(keep, watch);
     if (meeting.empty()) {
@@ -135,7 +156,12 @@ Reconstruction complete(const TriangleMesh& surface, const ClosestPointTree& tre
       result.cell = width;
       return result;
     }
-    if (attempt.liftWalls(meeting)) continue;
+    const bool lifted = attempt.liftWalls(meeting);
+    const double nearby = width * kFirstReach * std::pow(kReachGrowth, static_cast<double>(yields));
+    if (refinements == 0 && yields++ < kMostYields &&
+        yield(swept, shell, attempt.assembly(), meeting, nearby, yielded, keep))
+      continue;
+    if (lifted) continue;
     const double reach = width * kFirstReach * std::pow(kReachGrowth, static_cast<double>(refinements));
     if (refinements++ < kMostRefinements &&
         refine(swept, shell, attempt.assembly(), meeting, width, reach, keep))
@@ -146,12 +172,40 @@ Reconstruction complete(const TriangleMesh& surface, const ClosestPointTree& tre
   }
 }
 
+// Error of the sweep's shell that is left as it is, in r; and that of a contour, in w²/r².
+constexpr double kFinest = 0.005, kCellError = 0.15;
+
+// The sweep without those triangles of its shell that are farther from the thickness than `error` · r.
+std::vector<std::uint8_t> exactPart(const SweepResult& swept, const ClosestPointTree& tree, double r,
+                                    double error, const RunContext& context, int threads) {
+  std::vector<std::uint8_t> keep(swept.mesh.triangles.size(), 1);
+  const auto off = [&](double d) { return std::abs(d - r) > error * r; };
+  parallelFor(keep.size(), threads, context, 256, [&](std::size_t t) {
+    if (swept.region[t] != Region::kShell) return;
+    Vec3 middle = Vec3::Zero();
+    for (const VertexId v : swept.mesh.triangles[t]) {
+      if (off(swept.distance[v])) keep[t] = 0;
+      middle += swept.mesh.positions[v] / 3;
+    }
+    if (keep[t] && off(tree.distance(middle))) keep[t] = 0;
+  });
+  return keep;
+}
+
+double areaWithout(const SweepResult& swept, std::span<const std::uint8_t> keep) {
+  TriangleMesh rest;
+  rest.positions = swept.mesh.positions;
+  for (std::size_t t = 0; t < keep.size(); ++t)
+    if (!keep[t]) rest.triangles.push_back(swept.mesh.triangles[t]);
+  return areaOf(rest);
+}
+
 }  // namespace
 
 Reconstruction reconstruct(const TriangleMesh& surface, const ClosestPointTree& tree, const Options& options,
                            const RunContext& context, int threads, Stopwatch& watch) {
-  const double width = cellWidth(surface, options);
-  requireRoomForField(surface, options.thickness, width, context);
+  const double area = areaOf(surface), width = cellWidth(surface, area, options);
+  requireRoomForField(surface, area, options.thickness, width, context);
   const SweepResult swept =
       sweep(surface, tree, options.thickness, Side::kNegative, context, threads, Polish::kNo);
   watch.lap("sweep");
@@ -163,15 +217,19 @@ Reconstruction reconstruct(const TriangleMesh& surface, const ClosestPointTree& 
 std::optional<Reconstruction> deepen(const TriangleMesh& surface, const ClosestPointTree& tree,
                                      const SweepResult& swept, const Options& options,
                                      const RunContext& context, int threads, Stopwatch& watch) {
-  constexpr double kFull = 0.98;
-  std::vector<std::uint8_t> keep(swept.mesh.triangles.size(), 1);
-  for (std::size_t t = 0; t < keep.size(); ++t)
-    if (swept.region[t] == Region::kShell)
-      for (const VertexId v : swept.mesh.triangles[t])
-        if (swept.distance[v] < kFull * options.thickness) keep[t] = 0;
+  const double r = options.thickness;
+  std::vector<std::uint8_t> keep = exactPart(swept, tree, r, kFinest, context, threads);
   if (std::find(keep.begin(), keep.end(), 0) == keep.end()) return std::nullopt;
-  const double width = cellWidth(surface, options);
-  requireRoomForField(surface, options.thickness, width, context);
+  double area = areaWithout(swept, keep), width = cellWidth(surface, area, options);
+  // Wider cells are no better than a sweep that is off by as much.
+  const double error = kCellError * width * width / (r * r);
+  if (error > kFinest) {
+    keep = exactPart(swept, tree, r, error, context, threads);
+    if (std::find(keep.begin(), keep.end(), 0) == keep.end()) return std::nullopt;
+    area = areaWithout(swept, keep);
+    width = cellWidth(surface, area, options);
+  }
+  requireRoomForField(surface, area, r, width, context);
   return complete(surface, tree, swept, std::move(keep), width, options, context, threads, watch);
 }
 

@@ -26,16 +26,18 @@ struct Reconstruction {
   double cell = 0;             ///< width, mm
 };
 
-/// The width of the cells that `options` mean for `surface`, mm: as given, by the resolution, or
-/// chosen. Throws kInvalidArgument where a resolution gives cells of r/2 or more (Remark 1).
-[[nodiscard]] double cellWidth(const TriangleMesh& surface, const Options& options);
+/// The width of the cells that `options` mean where `area` mm² of `surface` are to be contoured, mm: as
+/// given, by the resolution, or chosen. Throws kInvalidArgument where a resolution gives cells of r/2 or more
+/// (Remark 1).
+[[nodiscard]] double cellWidth(const TriangleMesh& surface, double area, const Options& options);
 
 /// Bytes that the field and its contour take at their peak, beyond what the sweep takes.
-[[nodiscard]] std::size_t fieldBytes(const TriangleMesh& surface, double width);
+[[nodiscard]] std::size_t fieldBytes(double area, double width);
 
 /// Throws where cells of `width` are too many for the grid's keys or, before any of it is taken, too many
 /// for the memory limit, with the width that would fit.
-void requireRoomForField(const TriangleMesh& surface, double r, double width, const RunContext& context);
+void requireRoomForField(const TriangleMesh& surface, double area, double r, double width,
+                         const RunContext& context);
 
 /// Reconstructs on the negative side of `surface` (valid, welded; `tree` is its tree). Throws kNoSolid
 /// with the place, kMemoryLimit, kCancelled. Stages are added to `watch`.
