@@ -16,7 +16,17 @@ __version__ = "0.1.0"
 
 if TYPE_CHECKING:
     from ._thicken import RunContext, ThickenError
-    from .arrays import Region, ThickenedMesh, check_mesh, read_mesh, thicken_mesh, weld_mesh, write_mesh
+    from .arrays import (
+        Region,
+        RepairedMesh,
+        ThickenedMesh,
+        check_mesh,
+        read_mesh,
+        repair_mesh,
+        thicken_mesh,
+        weld_mesh,
+        write_mesh,
+    )
     from .check_surface import check_surface
     from .drain_holes import make_drain_holes
     from .export import export_for_printing
@@ -24,13 +34,16 @@ if TYPE_CHECKING:
     from .part_solid import make_part_solid, part_solid, part_solid_of
     from .printability import printability, write_report
     from .regions import facet_regions
+    from .repair_feature import make_repair
     from .thickness_map import thickness_map
 
 _HOMES = {
     "Region": "arrays",
+    "RepairedMesh": "arrays",
     "ThickenedMesh": "arrays",
     "check_mesh": "arrays",
     "read_mesh": "arrays",
+    "repair_mesh": "arrays",
     "thicken_mesh": "arrays",
     "weld_mesh": "arrays",
     "write_mesh": "arrays",
@@ -44,6 +57,7 @@ _HOMES = {
     "printability": "printability",
     "write_report": "printability",
     "facet_regions": "regions",
+    "make_repair": "repair_feature",
     "thickness_map": "thickness_map",
     "RunContext": "native",
     "ThickenError": "native",

@@ -11,6 +11,8 @@ __version__: str
 class ThickenError(RuntimeError):
     code: str
     defects: list[dict[str, Any]]
+    input: dict[str, Any] | None
+    repair: dict[str, Any] | None
 
 class RunContext:
     memory_limit: int
@@ -36,11 +38,20 @@ def thicken(
     tolerance: float | None = None,
     smooth: int | None = None,
     repair: bool = False,
+    weld: float | None = None,
     threads: int = 0,
     context: RunContext | None = None,
 ) -> dict[str, Any]: ...
 def check(
     vertices: ArrayLike, triangles: ArrayLike, *, threads: int = 0, context: RunContext | None = None
+) -> dict[str, Any]: ...
+def repair_mesh(
+    vertices: ArrayLike,
+    triangles: ArrayLike,
+    *,
+    weld: float | None = None,
+    threads: int = 0,
+    context: RunContext | None = None,
 ) -> dict[str, Any]: ...
 def weld(vertices: ArrayLike, triangles: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.int64]]: ...
 def read_mesh(path: str | PathLike[str]) -> tuple[NDArray[np.float64], NDArray[np.int64]]: ...

@@ -41,6 +41,15 @@ class ThickenedMesh(NamedTuple):
     report: dict[str, Any]  #: the object of docs/report.md
 
 
+class RepairedMesh(NamedTuple):
+    """A surface without defects, and what was done to make it one."""
+
+    vertices: NDArray[np.float64]  #: n × 3
+    triangles: NDArray[np.int64]  #: m × 3
+    origin: NDArray[np.int64]  #: the triangle of the given surface that each one is, or is a part of
+    report: dict[str, Any]  #: the entry "repair" of docs/report.md
+
+
 def thicken_mesh(
     vertices: ArrayLike,
     triangles: ArrayLike,
@@ -53,6 +62,7 @@ def thicken_mesh(
     tolerance: float | None = None,
     smooth: int | None = None,
     repair: bool = False,
+    weld: float | None = None,
     threads: int = 0,
     memory: float | None = None,
     precision: Literal["single", "double"] = "single",
@@ -87,6 +97,7 @@ def thicken_mesh(
         tolerance=tolerance,
         smooth=smooth,
         repair=repair,
+        weld=weld,
         threads=threads,
         context=context,
     )
@@ -101,6 +112,23 @@ def check_mesh(
     It is a valid input when the entry "defects" is empty. Vertex ids are those of weld_mesh().
     """
     return native.load().check(vertices, triangles, threads=threads, context=context)
+
+
+def repair_mesh(
+    vertices: ArrayLike,
+    triangles: ArrayLike,
+    *,
+    weld: float | None = None,
+    threads: int = 0,
+    context: RunContext | None = None,
+) -> RepairedMesh:
+    """Return the surface without defects that docs/repair.md describes, as thicken_mesh(repair=True) uses it.
+
+    `weld`: the farthest, in mm, that corners of rims may be apart to be one. A valid surface comes back as weld_mesh()
+    returns it. Raises ThickenError, with the code of the first defect, where nothing would remain.
+    """
+    mended = native.load().repair_mesh(vertices, triangles, weld=weld, threads=threads, context=context)
+    return RepairedMesh(**mended)
 
 
 def weld_mesh(vertices: ArrayLike, triangles: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.int64]]:

@@ -4,7 +4,8 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+import threading
+from typing import Any, Callable
 
 import FreeCAD as App
 
@@ -53,7 +54,7 @@ def solid_of(source: Any, arguments: dict[str, Any], **choice: Any) -> tuple[Any
         raise RefusedError(str(error)) from None
     try:
         surface = surface_arrays(source, **choice)
-        solid = precomputed.thicken(surface, arguments, **limits())
+        solid = _waiting(lambda context: precomputed.thicken(surface, arguments, **limits(), context=context))
         return mesh_from_arrays(solid.vertices, solid.triangles), solid
     except extension.ThickenError as error:
         raise RefusedError(sentences(error, source)) from None
@@ -61,6 +62,15 @@ def solid_of(source: Any, arguments: dict[str, Any], **choice: Any) -> tuple[Any
         raise RefusedError(str(error)) from None
     except MemoryError:
         raise RefusedError("There is not enough memory. Simplify the mesh, or choose a coarser Quality.") from None
+
+
+def _waiting(step: Callable[[Any], Any]) -> Any:
+    """What `step` returns for a RunContext; where there are windows, the user sees its progress and can stop it."""
+    if not App.GuiUp or threading.current_thread() is not threading.main_thread():
+        return step(None)
+    from .gui.modal_run import run
+
+    return run(step)
 
 
 def limits() -> dict[str, Any]:

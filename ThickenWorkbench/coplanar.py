@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from .brep_solid import Faces
 from .polyhedron import edges_of, unit_normals
 
-# How far the vertices of a face may be from its plane, as a share of the size of the part: what is
+# How far the vertices of a face may be from its plane, as a share of the largest coordinate: what is
 # left of a plane once its points have been rounded to single precision.
 _PLANE_SHARE = 2e-7
 
@@ -22,8 +22,7 @@ def merged_faces(
     points: NDArray, triangles: NDArray, shell_of_triangle: NDArray, tolerance: float
 ) -> tuple[NDArray, NDArray, Faces, float]:
     """As polyhedron.triangle_faces(), with the faces merged; `tolerance` grows to what they need."""
-    size = float(np.ptp(points, axis=0).max())
-    allowed = max(tolerance, _PLANE_SHARE * size)
+    allowed = max(tolerance, _PLANE_SHARE * float(np.abs(points).max()))
     patch_of, origins, normals = _patches(points, triangles, allowed)
     loops = _outlines(triangles, patch_of, len(points))
     split = _patches_that_are_no_face(points, loops, normals)
@@ -41,8 +40,9 @@ def _patches(points: NDArray, triangles: NDArray, allowed: float) -> tuple[NDArr
     """The patch of each triangle, and a point and the unit normal of the plane of each patch."""
     normals = unit_normals(points, triangles)
     first, second = _neighbours(triangles, len(points))
+    # One way is enough: the plane of a small triangle is not known well at the far end of a large one.
     flat = _within_plane(points, triangles, normals, first, second, allowed)
-    flat &= _within_plane(points, triangles, normals, second, first, allowed)
+    flat |= _within_plane(points, triangles, normals, second, first, allowed)
     flat &= np.einsum("ij,ij->i", normals[first], normals[second]) > 0.9
     patch_of = _components(len(triangles), first[flat], second[flat])
     origins, planes = _planes(points, triangles, patch_of)

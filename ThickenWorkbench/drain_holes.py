@@ -81,14 +81,17 @@ class DrainHolesFeature(StatelessProxy):
             _require_solid(obj.Source, obj)
             mesh, holes, facts, warnings = _drilled(obj)
         except BaseException:
-            obj.Mesh = Mesh.Mesh()
-            _show(obj, [], None, [])
+            self.clear(obj)
             raise
         mesh.Placement = placement_in_parent_of(obj, obj.Source)
         obj.Mesh = mesh  # takes over the Placement as well
         _show(obj, holes, facts, warnings)
         for warning in warnings:
             App.Console.PrintWarning(f"{obj.Label}: {warning}\n")
+
+    def clear(self, obj: Any) -> None:
+        obj.Mesh = Mesh.Mesh()
+        _show(obj, [], None, [])
 
 
 class PlugFeature(StatelessProxy):
@@ -112,15 +115,19 @@ class PlugFeature(StatelessProxy):
                 raise RefusedError("There are no holes to plug. Set Source to a feature with drain holes.")
             mesh = _plugs(source, obj.Clearance.Value)
         except BaseException:
-            obj.Mesh = Mesh.Mesh()
-            obj.Valid = False
+            self.clear(obj)
             raise
         mesh.Placement = placement_in_parent_of(obj, source)
         obj.Mesh = mesh
         obj.Valid = True
 
+    def clear(self, obj: Any) -> None:
+        obj.Mesh = Mesh.Mesh()
+        obj.Valid = False
+
 
 observe_sources(DrainHolesFeature)
+observe_sources(PlugFeature)
 
 
 def make_drain_holes(

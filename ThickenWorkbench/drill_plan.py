@@ -31,9 +31,9 @@ def drill_cavities(
     for cavity in cavities:
         taken: list[NDArray] = []
         for _ in range(count):
-            candidates = places_for(points, cavity, direction, diameter, taken)
-            ways = ways_down(points, cavity, direction, diameter, candidates)
-            drilled, reason = _drill(extension, vertices, triangles, candidates, ways, diameter, sides)
+            groups = places_for(points, cavity, direction, diameter, taken)
+            ways = [way for group in groups for way in ways_down(points, cavity, direction, diameter, group)]
+            drilled, reason = _drill(extension, vertices, triangles, ways, diameter, sides)
             if drilled is None:
                 reasons.append(reason)
                 break
@@ -72,12 +72,11 @@ def drill_places(
     return vertices, triangles, holes
 
 
-def _drill(extension, vertices, triangles, places, ways, diameter, sides) -> tuple[dict[str, Any] | None, str]:
-    if len(places) == 0:
+def _drill(extension, vertices, triangles, ways, diameter, sides) -> tuple[dict[str, Any] | None, str]:
+    if not ways:
         return None, "There is no room for a hole: choose a smaller diameter or fewer holes."
-    pairs = [(place, axis) for place, axes in zip(places, ways) for axis in axes]
     try:
-        return extension.drill(vertices, triangles, *zip(*pairs), diameter, sides=sides), ""
+        return extension.drill(vertices, triangles, *zip(*ways), diameter, sides=sides), ""
     except extension.ThickenError as error:
         if error.code != "no-solid":
             raise

@@ -27,14 +27,17 @@ class ThickenFeature(StatelessProxy):
             require_source(obj.Source, obj)
             mesh, solid = build.solid_of(obj.Source, params.arguments(obj), **params.choice(obj))
         except BaseException:
-            obj.Mesh = Mesh.Mesh()
-            params.clear_results(obj)
+            self.clear(obj)
             raise
         mesh.Placement = placement_in_parent_of(obj, obj.Source)
         obj.Mesh = mesh  # takes over the Placement as well
         params.show_solid(obj, solid)
         for warning in obj.Warnings:
             App.Console.PrintWarning(f"{obj.Label}: {warning}\n")
+
+    def clear(self, obj: Any) -> None:
+        obj.Mesh = Mesh.Mesh()
+        params.clear_results(obj)
 
     def onChanged(self, obj: Any, name: str) -> None:
         if name == "Quality" and "SchemaVersion" in obj.PropertiesList and "Restore" not in obj.State:

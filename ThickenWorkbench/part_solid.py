@@ -92,16 +92,19 @@ class PartSolidFeature(StatelessProxy):
 
     def execute(self, obj: Any) -> None:
         """Make the solid. When that is refused, nothing of an earlier one stays behind."""
-        import Part
-
         try:
             _require_mesh(obj.Source, obj)
             shape = _solid_of(obj.Source, obj.MergeCoplanar)
         except BaseException:
-            obj.Shape = Part.Shape()
+            self.clear(obj)
             raise
         obj.Shape = shape
         obj.Placement = placement_in_parent_of(obj, obj.Source)
+
+    def clear(self, obj: Any) -> None:
+        import Part
+
+        obj.Shape = Part.Shape()
 
 
 observe_sources(PartSolidFeature)

@@ -19,6 +19,10 @@ class StatelessProxy:
         """Add the properties that `obj` lacks; idempotent. Called for new and for restored objects."""
         raise NotImplementedError
 
+    def clear(self, obj: Any) -> None:
+        """Leave nothing of an earlier result: there is none any more."""
+        raise NotImplementedError
+
     def onDocumentRestored(self, obj: Any) -> None:
         self.ensure_properties(obj)
         if App.GuiUp:

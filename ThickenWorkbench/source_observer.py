@@ -13,7 +13,11 @@ import FreeCAD as App
 
 
 class SourceObserver:
-    """Touches the features of the given proxy class whose source has got another mesh."""
+    """Touches the features of the given proxy class whose source has got another mesh.
+
+    A source that failed has none, and FreeCAD then does not recompute what depends on it: it would go
+    on showing what belongs to an earlier mesh, so that it is cleared here.
+    """
 
     def __init__(self, proxy_class: type) -> None:
         self.proxy_class = proxy_class
@@ -24,6 +28,8 @@ class SourceObserver:
         for dependent in obj.InList:
             if isinstance(getattr(dependent, "Proxy", None), self.proxy_class):
                 dependent.touch()
+                if obj.Mesh.CountFacets == 0:
+                    dependent.Proxy.clear(dependent)
 
 
 def observe_sources(proxy_class: type) -> None:

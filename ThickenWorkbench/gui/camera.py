@@ -5,19 +5,26 @@ from __future__ import annotations
 
 from typing import Any
 
+import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
 from numpy.typing import ArrayLike
 from pivy import coin
 
+from ..sources import RefusedError
+
+translate = App.Qt.translate
+
 
 def view_of(document: Any) -> Any:
-    """The 3D view of a document that was used last."""
+    """The 3D view of a document that was used last; raises RefusedError where there is none."""
     gui = Gui.getDocument(document.Name)
     view = gui.activeView()
     if hasattr(view, "getCameraNode"):
         return view
-    return gui.mdiViewsOfType("Gui::View3DInventor")[0]
+    for view in gui.mdiViewsOfType("Gui::View3DInventor"):
+        return view
+    raise RefusedError(translate("Thicken", "The document has no 3D view. Open one: View ▸ Create new view."))
 
 
 def go_to(view: Any, places: ArrayLike, least_size: float) -> None:

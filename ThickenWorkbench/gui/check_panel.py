@@ -32,7 +32,9 @@ class CheckPanel:
     def __init__(self, item: Chosen) -> None:
         self.item = item
         self.defects: list[Any] | None = None  #: None until they are known
-        self._view = view_of(item.source.Document)
+        self.document = item.source.Document
+        self.objects = [item.source]
+        self._view = view_of(self.document)
         self._overlay = over_view(self._view)
         self._least = _AROUND * bound_box(item.source).DiagonalLength
         self._build()
@@ -49,8 +51,11 @@ class CheckPanel:
     def reject(self) -> bool:
         if self._job is not None:
             self._job.abandon()
-        self._overlay.remove()
+        self.leave_view()
         return True
+
+    def leave_view(self) -> None:
+        self._overlay.remove()
 
     def _build(self) -> None:
         self.form = QtWidgets.QWidget()
@@ -70,7 +75,11 @@ class CheckPanel:
         self.sentence.setObjectName("Sentence")
         self.sentence.setWordWrap(True)
         self.sentence.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
-        for widget in (self.status, self.list, self.sentence):
+        self.repair = QtWidgets.QPushButton(translate("Thicken", "Repair Surface"))
+        self.repair.setObjectName("Repair")
+        self.repair.setVisible(False)
+        self.repair.clicked.connect(self._repair)
+        for widget in (self.status, self.list, self.sentence, self.repair):
             column.addWidget(widget)
 
     def _checked(self, job: Job) -> None:
@@ -82,15 +91,24 @@ class CheckPanel:
         macro.record("defects", self.defects, "check_surface", self.item.source, **self.item.named())
         label = self.item.source.Label
         if not self.defects:
-            self.status.setText(translate("Thicken", "“{label}” can be thickened: it has no defect.").format(label=label))
+            sound = translate("Thicken", "“{label}” can be thickened: it has no defect.")
+            self.status.setText(sound.format(label=label))
             self.list.setVisible(False)
             return
         count = sum(defect.count for defect in self.defects)
-        self.status.setText(
-            translate("Thicken", "“{label}” has {count} defects. Click one to go there.").format(label=label, count=count)
-        )
+        found = translate("Thicken", "“{label}” has {count} defects. Click one to go there.")
+        self.status.setText(found.format(label=label, count=count))
+        self.repair.setVisible(True)
         self._fill()
         self._mark()
+
+    def _repair(self) -> None:
+        """Close the panel, and make a mended copy instead."""
+        self.reject()
+        Gui.Control.closeDialog()
+        from .repairing import repair
+
+        repair([self.item.source])
 
     def _fill(self) -> None:
         for defect in self.defects or []:

@@ -40,9 +40,14 @@ def solids() -> list[Any]:
     return [selected.Object for selected in _selection() if is_mesh(selected.Object) or is_shape(selected.Object)]
 
 
-def features() -> list[Any]:
-    """The selected objects that this workbench made by thickening."""
-    return [obj for obj in solids() if is_thicken(obj)]
+def made_solids() -> list[Any]:
+    """The selected meshes that this workbench made and proved to be solids."""
+    return [obj for obj in solids() if is_mesh(obj) and getattr(obj, "Valid", False) and not hasattr(obj, "Changes")]
+
+
+def anything() -> bool:
+    """Whether there is an object that surfaces() would return, without looking at its facets."""
+    return bool(solids())
 
 
 def is_mesh(obj: Any) -> bool:

@@ -37,7 +37,11 @@ class Command:
         }
 
     def IsActive(self) -> bool:
-        return App.ActiveDocument is not None and bool(self.targets()) and not Gui.Control.activeDialog()
+        return App.ActiveDocument is not None and self.is_usable() and not Gui.Control.activeDialog()
+
+    def is_usable(self) -> bool:
+        """Whether targets() would find something; FreeCAD asks all the time, so this has to be quick."""
+        return chosen.anything()
 
     def targets(self) -> list[Any]:
         """What of the selection the command can use."""
@@ -94,14 +98,14 @@ class RepairCommand(Command):
     name = "Thicken_Repair"
     icon = "repair_surface.svg"
     menu = QT_TRANSLATE_NOOP("Thicken_Repair", "Repair Surface")
-    tip = QT_TRANSLATE_NOOP("Thicken_Repair", "Make a mended copy of the selected surface, and list every change")
+    tip = QT_TRANSLATE_NOOP("Thicken_Repair", "Make a mended copy of the selected surfaces, and list every change")
     help = QT_TRANSLATE_NOOP(
         "Thicken_Repair",
-        "Select a mesh. The new object follows it without its defects; its properties list what was removed and added.",
+        "Select a mesh or a shape. The new object follows it without its defects; its properties list what was changed.",
     )
 
     def targets(self) -> list[Any]:
-        return [item for item in chosen.surfaces() if chosen.is_mesh(item.source)]
+        return chosen.surfaces()
 
     def Activated(self) -> None:
         from .repairing import repair
@@ -113,14 +117,17 @@ class MapCommand(Command):
     name = "Thicken_Map"
     icon = "thickness_map.svg"
     menu = QT_TRANSLATE_NOOP("Thicken_Map", "Thickness Map")
-    tip = QT_TRANSLATE_NOOP("Thicken_Map", "Colour a thickened solid by its wall thickness or by its deviation")
+    tip = QT_TRANSLATE_NOOP("Thicken_Map", "Colour a solid by the thickness of its wall or by its deviation")
     help = QT_TRANSLATE_NOOP(
         "Thicken_Map",
-        "Select a thickened solid. A panel shows the scale, the least and the largest value and a histogram.",
+        "Select a thickened or drained solid. A panel shows the scale, the least and the largest value and a histogram.",
     )
 
     def targets(self) -> list[Any]:
-        return [feature for feature in chosen.features() if feature.Valid][:1]
+        return chosen.made_solids()[:1]
+
+    def is_usable(self) -> bool:
+        return bool(self.targets())
 
     def Activated(self) -> None:
         from . import editing
@@ -137,11 +144,15 @@ class DrainCommand(Command):
     tip = QT_TRANSLATE_NOOP("Thicken_Drain", "Let resin out of the cavities of a solid")
     help = QT_TRANSLATE_NOOP(
         "Thicken_Drain",
-        "Select a solid. Holes are placed at the lowest points of each cavity for a print direction, or where you click.",
+        "Select a solid. Holes are placed at the lowest points of each cavity for a print direction, "
+        "or where you click.",
     )
 
     def targets(self) -> list[Any]:
         return [obj for obj in chosen.solids() if chosen.is_mesh(obj)][:1]
+
+    def is_usable(self) -> bool:
+        return bool(self.targets())
 
     def Activated(self) -> None:
         from . import editing
@@ -191,7 +202,7 @@ class ExportCommand(Command):
         export(self.targets()[0])
 
 
-COMMANDS = [MakeCommand, CheckCommand, MapCommand, DrainCommand, ReportCommand, ExportCommand]
+COMMANDS = [MakeCommand, CheckCommand, RepairCommand, MapCommand, DrainCommand, ReportCommand, ExportCommand]
 
 
 def register() -> list[str]:

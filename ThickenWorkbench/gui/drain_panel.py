@@ -26,7 +26,9 @@ class DrainPanel:
     def __init__(self, solid: Any) -> None:
         self.solid = solid
         self.places: list[Any] = []
-        self._view = view_of(solid.Document)
+        self.document = solid.Document
+        self.objects = [solid]
+        self._view = view_of(self.document)
         self._build()
         Gui.Selection.clearSelection()
         self._overlay = over_view(self._view)
@@ -57,11 +59,11 @@ class DrainPanel:
             document.abortTransaction()
             return False
         document.commitTransaction()
-        self._close()
+        self.leave_view()
         return True
 
     def reject(self) -> bool:
-        self._close()
+        self.leave_view()
         return True
 
     # --- within ---
@@ -131,6 +133,6 @@ class DrainPanel:
             plug=self.plug.isChecked() or None,
         )
 
-    def _close(self) -> None:
+    def leave_view(self) -> None:
         self._clicks.stop()
         self._overlay.remove()

@@ -9,15 +9,45 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from . import messages
+from .qt import QtCore
 
 translate = App.Qt.translate
 
 _panel: Any = None
+_observer: Any = None
+
+
+class _Closing:
+    """Closes the open panel before its document or an object of it goes, and with that the nodes that
+    it draws below."""
+
+    def slotDeletedDocument(self, gui_document: Any) -> None:
+        if _is_open() and _panel.document == gui_document.Document:
+            _close()
+
+    def slotDeletedObject(self, view: Any) -> None:
+        if _is_open() and view.Object in _panel.objects:
+            _panel.leave_view()
+            QtCore.QTimer.singleShot(0, _close)  # when FreeCAD has finished deleting
+
+
+def _is_open() -> bool:
+    return _panel is not None and bool(Gui.Control.activeDialog())
+
+
+def _close() -> None:
+    if _is_open():
+        _panel.reject()
+        if Gui.Control.activeDialog():
+            Gui.Control.closeDialog()
 
 
 def show(make_panel: Any) -> Any:
     """Show the panel that `make_panel` returns, unless one is open; the user is told why not."""
-    global _panel
+    global _panel, _observer
+    if _observer is None:
+        _observer = _Closing()
+        Gui.addDocumentObserver(_observer)
     if Gui.Control.activeDialog():
         messages.tell(
             translate("Thicken", "A task is open"), translate("Thicken", "Close the open task panel first.")

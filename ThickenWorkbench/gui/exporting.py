@@ -35,7 +35,8 @@ def export(obj: Any) -> None:
     messages.tell(
         translate("Thicken", "Export for Printing"),
         translate(
-            "Thicken", "“{label}” was written to {path}, read again and proved valid: {triangles} triangles, {volume} mL."
+            "Thicken",
+            "“{label}” was written to {path}, read again and proved valid: {triangles} triangles, {volume} mL.",
         ).format(
             label=obj.Label, path=path, triangles=f"{exported['triangles']:,}", volume=f"{exported['volume_ml']:.4g}"
         ),

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from typing import Any
 
 import FreeCAD as App
@@ -11,12 +12,13 @@ import FreeCADGui as Gui
 from ..thickness_map import thickness_map
 from . import macro, messages
 from .camera import go_to, view_of
+from .chosen import is_thicken
 from .colour_scale import colours
 from .job import Job
 from .legend import Legend
 from .map_scale import ends, shares
 from .qt import QtWidgets, standard_buttons
-from .region_colours import paint_points
+from .region_colours import paint_plain, paint_points
 
 translate = App.Qt.translate
 
@@ -33,7 +35,9 @@ class MapPanel:
         self.feature = feature
         self.map: Any = None  #: the ThicknessMap that is shown
         self._job: Job | None = None
-        self._view = view_of(feature.Document)
+        self.document = feature.Document
+        self.objects = [feature]
+        self._view = view_of(self.document)
         self._build()
         Gui.Selection.clearSelection()
         self._measure()
@@ -47,8 +51,11 @@ class MapPanel:
     def reject(self) -> bool:
         if self._job is not None:
             self._job.abandon()
-        self._plain()
+        self.leave_view()
         return True
+
+    def leave_view(self) -> None:
+        self._plain()
 
     def _build(self) -> None:
         self.form = QtWidgets.QWidget()
@@ -57,10 +64,9 @@ class MapPanel:
         column = QtWidgets.QVBoxLayout(self.form)
         self.what = QtWidgets.QComboBox()
         self.what.setObjectName("What")
-        self.what.addItems([
-            translate("Thicken", "Wall thickness (mm)"),
-            translate("Thicken", "Deviation of the shell from the thickness (mm)"),
-        ])  # fmt: skip
+        self.what.addItem(translate("Thicken", "Wall thickness (mm)"))
+        if is_thicken(self.feature):
+            self.what.addItem(translate("Thicken", "Deviation of the shell from the thickness (mm)"))
         self.what.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
         self.what.currentIndexChanged.connect(lambda _: self._measure())
         self.facts = QtWidgets.QLabel()
@@ -104,7 +110,9 @@ class MapPanel:
         paint_points(self.feature.ViewObject, colours(self.map.vertex_values, low, high))
         self.legend.show_shares(*shares(self.feature, self.map, low, high))
         self.facts.setText(
-            translate("Thicken", "Least {least}, mean {mean}, largest {largest} mm. 98 % of the area: {low} to {high} mm.").format(
+            translate(
+                "Thicken", "Least {least}, mean {mean}, largest {largest} mm. 98 % of the area: {low} to {high} mm."
+            ).format(
                 least=f"{self.map.minimum:.4g}",
                 mean=f"{self.map.mean:.4g}",
                 largest=f"{self.map.maximum:.4g}",
@@ -120,6 +128,9 @@ class MapPanel:
 
     def _plain(self) -> None:
         """The colours that the feature has otherwise."""
-        view = self.feature.ViewObject
-        if view is not None and hasattr(view.Proxy, "paint"):
-            view.Proxy.paint(view)
+        with suppress(ReferenceError, RuntimeError):  # deleted in the meantime
+            view = self.feature.ViewObject
+            if hasattr(view.Proxy, "paint"):
+                view.Proxy.paint(view)
+            else:
+                paint_plain(view)

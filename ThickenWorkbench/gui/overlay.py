@@ -106,9 +106,9 @@ def arrow(foot: ArrayLike, tip: ArrayLike, colour: Colour) -> Any:
 
 def set_colours(material: Any, colours: ArrayLike) -> None:
     """Give a material a list of colours, n × 3."""
-    rows = np.asarray(colours, float)
+    rows = np.ascontiguousarray(colours, np.float32)
     material.diffuseColor.deleteValues(0)
-    material.diffuseColor.setValues(0, len(rows), rows.tolist())
+    material.diffuseColor.setValues(0, len(rows), rows)
 
 
 def _group(*nodes: Any) -> Any:
@@ -127,17 +127,17 @@ def _two_sided() -> Any:
 
 
 def _coordinates(vertices: ArrayLike) -> Any:
-    rows = np.asarray(vertices, float)
+    rows = np.ascontiguousarray(vertices, np.float32)
     node = coin.SoCoordinate3()
-    node.point.setValues(0, len(rows), rows.tolist())
+    node.point.setValues(0, len(rows), rows)
     return node
 
 
 def _face_set(triangles: ArrayLike) -> Any:
-    rows = np.asarray(triangles, np.int64)
-    index = np.column_stack([rows, np.full(len(rows), -1)])
+    rows = np.asarray(triangles, np.int32)
+    index = np.column_stack([rows, np.full(len(rows), -1, np.int32)])
     node = coin.SoIndexedFaceSet()
-    node.coordIndex.setValues(0, index.size, index.ravel().tolist())
+    node.coordIndex.setValues(0, index.size, index.ravel())
     return node
 
 

@@ -31,12 +31,21 @@ def paint(view: Any, on: bool = True) -> None:
     regions = facet_regions(view.Object)
     # While an object is recomputed or undone, its mesh and its regions change one after the other.
     if not on or len(regions) == 0 or len(regions) != view.Object.Mesh.CountFacets:
-        binding.value = coin.SoMaterialBinding.OVERALL
-        set_colours(material, [tuple(view.ShapeColor)[:3]])
+        paint_plain(view)
         return
     palette = np.array([preferences.colour(KEYS[region]) for region in Region])
+    if binding.value.getValue() == coin.SoMaterialBinding.PER_FACE and _shows(material, palette, regions):
+        return
     set_colours(material, palette[regions])
     binding.value = coin.SoMaterialBinding.PER_FACE
+
+
+def paint_plain(view: Any) -> None:
+    """Give the mesh the one colour that FreeCAD has for it."""
+    nodes = _nodes(view)
+    if nodes is not None:
+        nodes[1].value = coin.SoMaterialBinding.OVERALL
+        set_colours(nodes[0], [tuple(view.ShapeColor)[:3]])
 
 
 def paint_points(view: Any, colours: Any) -> None:
@@ -74,6 +83,15 @@ def repaint_all() -> None:
             view = getattr(obj, "ViewObject", None)
             if isinstance(getattr(view, "Proxy", None), ThickenViewProvider):
                 view.Proxy.paint(view)
+
+
+def _shows(material: Any, palette: Any, regions: Any) -> bool:
+    """Whether the colours are on the material already: the first facet of each run of a region tells."""
+    field = material.diffuseColor
+    if field.getNum() != len(regions):
+        return False
+    starts = [0, *(np.flatnonzero(np.diff(regions.astype(int))) + 1)]
+    return all(np.allclose(field[int(k)].getValue(), palette[regions[k]], atol=1e-6) for k in starts)
 
 
 def _nodes(view: Any) -> tuple[Any, Any] | None:

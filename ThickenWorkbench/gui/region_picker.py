@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from typing import Any, Callable
 
-import FreeCAD as App
 import numpy as np
 
 from .. import preferences

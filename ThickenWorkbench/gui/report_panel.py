@@ -38,7 +38,9 @@ class ReportPanel:
         self._timer = QtCore.QTimer()
         self._timer.setSingleShot(True)
         self._timer.timeout.connect(self._compute)
-        self._view = view_of(solid.Document)
+        self.document = solid.Document
+        self.objects = [solid]
+        self._view = view_of(self.document)
         self._overlay = over_view(self._view)
         self._build()
         Gui.Selection.clearSelection()
@@ -54,8 +56,11 @@ class ReportPanel:
         self._timer.stop()
         if self._job is not None:
             self._job.abandon()
-        self._overlay.remove()
+        self.leave_view()
         return True
+
+    def leave_view(self) -> None:
+        self._overlay.remove()
 
     def go(self, link: Any) -> None:
         """Go to the place that a link of the summary names."""

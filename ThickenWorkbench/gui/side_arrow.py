@@ -6,7 +6,6 @@ from __future__ import annotations
 from typing import Any, Callable
 
 import FreeCAD as App
-import FreeCADGui as Gui
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -21,16 +20,16 @@ _NEAR_PIXELS = 12
 class SideArrow:
     """Arrows at one place of the surface: one, or two for both sides."""
 
-    def __init__(self, obj: Any, vertices: ArrayLike, triangles: ArrayLike, flip: Callable[[], None]) -> None:
+    def __init__(
+        self, obj: Any, view: Any, vertices: ArrayLike, triangles: ArrayLike, flip: Callable[[], None]
+    ) -> None:
         self._overlay = over_object(obj)
         self._placement = obj.getGlobalPlacement() if hasattr(obj, "getGlobalPlacement") else App.Placement()
         self.move(vertices, triangles)
         self._tips: list[np.ndarray] = []
         self._flip = flip
-        self._view = Gui.getDocument(obj.Document.Name).activeView()
-        self._callback = None
-        if hasattr(self._view, "addEventCallback"):
-            self._callback = self._view.addEventCallback("SoMouseButtonEvent", self._on_button)
+        self._view = view
+        self._callback = view.addEventCallback("SoMouseButtonEvent", self._on_button)
 
     def move(self, vertices: ArrayLike, triangles: ArrayLike) -> None:
         """Stand on another surface, once show() is called."""

@@ -46,7 +46,9 @@ class ThickenForm:
         self.pick = _named(QtWidgets.QPushButton(translate("Thicken", "Pick a region")), "Pick")
         self.pick.setCheckable(True)
         self.pick.setToolTip(
-            translate("Thicken", "Thicken a part of the mesh: each click in the view adds a smooth patch, or takes it away")
+            translate(
+                "Thicken", "Thicken a part of the mesh: each click in the view adds a smooth patch, or takes it away"
+            )
         )
         self.sharpest = _named(QtWidgets.QSpinBox(), "Sharpest")
         self.sharpest.setRange(1, 180)
@@ -180,7 +182,10 @@ class ThickenForm:
             if name.lower() in inputs:
                 self.quality.setCurrentIndex(index)
                 number = inputs[name.lower()]
-                self.cells.setValue(number) if name == "Resolution" else self.length.setProperty("rawValue", number)
+                if name == "Resolution":
+                    self.cells.setValue(number)
+                else:
+                    self.length.setProperty("rawValue", number)
         smooth = inputs.get("smooth")
         self.smooth.setValue(AUTOMATIC if smooth is None else smooth)
         self.repair.setChecked(bool(inputs.get("repair")))
@@ -199,8 +204,9 @@ class ThickenForm:
         """Progress and its button belong to a run, and nothing can be edited while it lasts."""
         self.progress.setVisible(running)
         self.stop.setVisible(running)
-        for widget in (self.pick, self.whole, self.thickness, self.side, self.flip, self.method, self.quality, self.length, self.cells,
-                       self.smooth, self.deflection, self.repair, self.preview):  # fmt: skip
+        inputs = (self.pick, self.whole, self.thickness, self.side, self.flip, self.method, self.quality, self.length,
+                  self.cells, self.smooth, self.deflection, self.repair, self.preview)  # fmt: skip
+        for widget in inputs:
             widget.setEnabled(not running)
 
     def tell(self, text: str, bad: bool = False) -> None:

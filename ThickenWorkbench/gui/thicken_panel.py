@@ -18,6 +18,7 @@ from .. import build, params, precomputed, prediction, preferences
 from ..arrays import ThickenedMesh, thicken_mesh
 from ..sources import DEFAULT_DEFLECTION
 from . import macro, messages
+from .camera import view_of
 from .chosen import Chosen, is_mesh, is_shape
 from .job import Job
 from .looks import Looks
@@ -40,6 +41,8 @@ class ThickenPanel:
     def __init__(self, chosen: list[Chosen], feature: Any = None) -> None:
         self.chosen, self.feature = chosen, feature
         self.document = chosen[0].source.Document
+        self.objects = [item.source for item in chosen] + ([feature] if feature is not None else [])
+        view = view_of(self.document)
         of_shape = any(is_shape(item.source) for item in chosen)
         self._read_surfaces(DEFAULT_DEFLECTION if feature is None else feature.Deflection.Value)
         self._job: Job | None = None
@@ -50,9 +53,9 @@ class ThickenPanel:
         self.form = self.form_parts.widget
         self._show_start()
         self._open_transaction()
-        self._looks = Looks(hide=[feature] if feature is not None else [], see_through=[item.source for item in chosen])
+        self._looks = Looks([feature] if feature is not None else [], [item.source for item in chosen])
         Gui.Selection.clearSelection()  # its colour would hide those of the preview
-        self._arrow = SideArrow(chosen[0].source, *self._surfaces[0], self._flip)
+        self._arrow = SideArrow(chosen[0].source, view, *self._surfaces[0], self._flip)
         self._picker: RegionPicker | None = None
         self._preview = Preview([item.source for item in chosen], self._previewed)
         self.form_parts.stop.clicked.connect(self._stop)
@@ -110,7 +113,9 @@ class ThickenPanel:
             item = self.chosen[0]
             self._picker = RegionPicker(item.source, item.facets, self._choose)
             self._sharpen(self.form_parts.sharpest.value())
-            self.form_parts.tell(translate("Thicken", "Click on the mesh; click “Pick a region” again to see the preview."))
+            self.form_parts.tell(
+                translate("Thicken", "Click on the mesh; click “Pick a region” again to see the preview.")
+            )
         elif self._picker is not None:
             self._picker.stop()
             self._picker = None
@@ -294,6 +299,14 @@ class ThickenPanel:
                 lines.append(f"{reference}.{_NAMES.get(word, word)} = {value!r}")
         return [*lines, f"{macro.DOCUMENT}.recompute()"]
 
+    def leave_view(self) -> None:
+        """Take away all that is drawn over the objects."""
+        if self._picker is not None:
+            self._picker.stop()
+            self._picker = None
+        self._preview.remove()
+        self._arrow.remove()
+
     def _close(self) -> None:
         """Leave nothing behind: neither in the view nor in the document."""
         if self._closed:
@@ -301,17 +314,15 @@ class ThickenPanel:
         self._closed = True
         if self._job is not None:
             self._job.abandon()
-        if self._picker is not None:
-            self._picker.stop()
-        self._preview.remove()
-        self._arrow.remove()
+        self.leave_view()
         self._looks.restore()
-        if self.feature is None:
-            with suppress(ReferenceError, RuntimeError):
+        with suppress(ReferenceError, RuntimeError, NameError):  # the document was closed in the meantime
+            if self.feature is None:
                 self.document.removeObject(self._bound.Name)
-        self.document.abortTransaction()
-        if self.feature is not None and Gui.getDocument(self.document.Name).getInEdit():
-            Gui.getDocument(self.document.Name).resetEdit()
+            self.document.abortTransaction()
+            gui = Gui.getDocument(self.document.Name)
+            if self.feature is not None and gui.getInEdit():
+                gui.resetEdit()
 
 
 def _length(value: float) -> str:

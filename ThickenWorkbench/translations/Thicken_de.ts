@@ -408,6 +408,10 @@
         <source>Stopped. The document is as it was.</source>
         <translation>Angehalten. Das Dokument ist unverändert.</translation>
     </message>
+    <message>
+        <source>The document has no 3D view. Open one: View ▸ Create new view.</source>
+        <translation>Das Dokument hat keine 3D-Ansicht. Bitte eine öffnen: Ansicht ▸ Neue Ansicht.</translation>
+    </message>
 </context>
 <context>
     <name>ThickenPreferences</name>
@@ -584,12 +588,12 @@
         <translation>Dickenkarte</translation>
     </message>
     <message>
-        <source>Colour a thickened solid by its wall thickness or by its deviation</source>
-        <translation>Einen verdickten Körper nach Wanddicke oder Abweichung färben</translation>
+        <source>Colour a solid by the thickness of its wall or by its deviation</source>
+        <translation>Einen Körper nach Wanddicke oder Abweichung färben</translation>
     </message>
     <message>
-        <source>Select a thickened solid. A panel shows the scale, the least and the largest value and a histogram.</source>
-        <translation>Einen verdickten Körper auswählen. Eine Aufgabe zeigt die Skala, den kleinsten und größten Wert und ein Histogramm.</translation>
+        <source>Select a thickened or drained solid. A panel shows the scale, the least and the largest value and a histogram.</source>
+        <translation>Einen verdickten oder gelochten Körper auswählen. Eine Aufgabe zeigt die Skala, den kleinsten und größten Wert und ein Histogramm.</translation>
     </message>
 </context>
 <context>
@@ -599,12 +603,12 @@
         <translation>Fläche reparieren</translation>
     </message>
     <message>
-        <source>Make a mended copy of the selected surface, and list every change</source>
-        <translation>Eine reparierte Kopie der ausgewählten Fläche erzeugen und jede Änderung auflisten</translation>
+        <source>Make a mended copy of the selected surfaces, and list every change</source>
+        <translation>Eine reparierte Kopie der ausgewählten Flächen erzeugen und jede Änderung auflisten</translation>
     </message>
     <message>
-        <source>Select a mesh. The new object follows it without its defects; its properties list what was removed and added.</source>
-        <translation>Ein Netz auswählen. Das neue Objekt folgt ihm ohne seine Fehler; seine Eigenschaften nennen, was entfernt und hinzugefügt wurde.</translation>
+        <source>Select a mesh or a shape. The new object follows it without its defects; its properties list what was changed.</source>
+        <translation>Ein Netz oder eine Form auswählen. Das neue Objekt folgt ihr ohne ihre Fehler; seine Eigenschaften nennen, was geändert wurde.</translation>
     </message>
 </context>
 <context>

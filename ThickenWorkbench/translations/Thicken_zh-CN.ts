@@ -408,6 +408,10 @@
         <source>Stopped. The document is as it was.</source>
         <translation>已停止。文档保持原样。</translation>
     </message>
+    <message>
+        <source>The document has no 3D view. Open one: View ▸ Create new view.</source>
+        <translation>文档没有三维视图。请打开一个：视图 ▸ 新建视图。</translation>
+    </message>
 </context>
 <context>
     <name>ThickenPreferences</name>
@@ -584,12 +588,12 @@
         <translation>厚度图</translation>
     </message>
     <message>
-        <source>Colour a thickened solid by its wall thickness or by its deviation</source>
-        <translation>按壁厚或偏差为加厚的实体着色</translation>
+        <source>Colour a solid by the thickness of its wall or by its deviation</source>
+        <translation>按壁厚或偏差为实体着色</translation>
     </message>
     <message>
-        <source>Select a thickened solid. A panel shows the scale, the least and the largest value and a histogram.</source>
-        <translation>选择一个加厚的实体。面板会显示色标、最小值、最大值和直方图。</translation>
+        <source>Select a thickened or drained solid. A panel shows the scale, the least and the largest value and a histogram.</source>
+        <translation>选择一个加厚或已开孔的实体。面板会显示色标、最小值、最大值和直方图。</translation>
     </message>
 </context>
 <context>
@@ -599,12 +603,12 @@
         <translation>修复曲面</translation>
     </message>
     <message>
-        <source>Make a mended copy of the selected surface, and list every change</source>
+        <source>Make a mended copy of the selected surfaces, and list every change</source>
         <translation>生成所选曲面的修复副本，并列出每处更改</translation>
     </message>
     <message>
-        <source>Select a mesh. The new object follows it without its defects; its properties list what was removed and added.</source>
-        <translation>选择一个网格。新对象随之更新但没有其缺陷；其属性列出被移除和添加的内容。</translation>
+        <source>Select a mesh or a shape. The new object follows it without its defects; its properties list what was changed.</source>
+        <translation>选择一个网格或形状。新对象随之更新但没有其缺陷；其属性列出所做的更改。</translation>
     </message>
 </context>
 <context>

@@ -46,7 +46,8 @@ py::dict toDict(Solid solid) {
 py::dict thickenArrays(const py::object& vertices, const py::object& triangles, double thickness,
                        const std::string& side, const std::string& method, const std::string& precision,
                        std::optional<double> cell, std::optional<int> resolution,
-                       std::optional<double> tolerance, std::optional<int> smooth, bool repair, int threads,
+                       std::optional<double> tolerance, std::optional<int> smooth, bool repair,
+                       std::optional<double> weldDistance, int threads,
                        const std::optional<RunContext>& context) {
   if (!std::isfinite(thickness) || thickness <= 0)
     throw py::value_error("thickness must be a finite length above 0 mm");
@@ -60,6 +61,7 @@ py::dict thickenArrays(const py::object& vertices, const py::object& triangles, 
   options.tolerance = tolerance;
   options.smooth = smooth;
   options.repair = repair;
+  options.weld = weldDistance;
   options.threads = threads;
   const RunContext run = context.value_or(RunContext());
   const TriangleMesh surface = meshFrom(vertices, triangles);
@@ -90,7 +92,7 @@ void bindThicken(py::module_& module) {
   module.def("thicken", &thickenArrays, arg("vertices"), arg("triangles"), arg("thickness"), py::kw_only(),
              arg("side") = "negative", arg("method") = "auto", arg("precision") = "single",
              arg("cell") = py::none(), arg("resolution") = py::none(), arg("tolerance") = py::none(),
-             arg("smooth") = py::none(), arg("repair") = false, arg("threads") = 0,
+             arg("smooth") = py::none(), arg("repair") = false, arg("weld") = py::none(), arg("threads") = 0,
              arg("context") = py::none(),
              "Thicken a surface; returns a dict of vertices, triangles, region, depth and report.");
   module.def("check", &checkArrays, arg("vertices"), arg("triangles"), py::kw_only(), arg("threads") = 0,

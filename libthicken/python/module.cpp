@@ -10,5 +10,6 @@ PYBIND11_MODULE(_thicken, module) {
   thicken::python::bindThicken(module);
   thicken::python::bindDrill(module);
   thicken::python::bindInspect(module);
+  thicken::python::bindRepair(module);
   thicken::python::bindFiles(module);
 }

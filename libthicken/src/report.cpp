@@ -161,6 +161,10 @@ std::string toJson(const Error& error) {
   return text(json);
 }
 
+std::string toJson(const RepairFacts& facts) {
+  return text(repairFacts(facts));
+}
+
 std::string toJson(const CheckResult& result) {
   Json json = head(result.valid() ? "ok" : "refused");
   if (!result.valid()) {

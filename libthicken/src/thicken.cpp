@@ -206,19 +206,45 @@ Solid solidOf(const TriangleMesh& surface, const SurfaceFacts& input, const Opti
   return std::move(*solid);
 }
 
+// The vertices that a failed run names as those without room; none for other failures.
+std::vector<VertexId> verticesWithoutRoom(const Error& error) {
+  if (error.code() != ErrorCode::kNoSolid || error.defects().empty()) return {};
+  return error.defects().front().vertices;
+}
+
+// The vertices of a surface that a sweep finds no room below.
+std::vector<VertexId> trySweep(TriangleMesh surface, const Options& options, const RunContext& context,
+                               int threads) {
+  if (options.side == Side::kPositive) reverse(surface);
+  const Side side = options.side == Side::kBoth ? Side::kBoth : Side::kNegative;
+  try {
+    (void)sweep(surface, ClosestPointTree(surface), options.thickness, side, context, threads, Polish::kNo);
+  } catch (const Error& error) {
+    const std::vector<VertexId> vertices = verticesWithoutRoom(error);
+    if (vertices.empty()) throw;
+    return vertices;
+  }
+  return {};
+}
+
+// Of a surface that lost more than this share of its area no more is taken away.
+constexpr double kMostRemoved = 0.5;
+
 // Where a repair is asked for, folds that no wall fits below are opened, a few triangles at a time.
 Solid solidOfRepaired(RepairResult& surface, const Options& options, RunContext context, int threads,
                       Stopwatch& watch, Known& known) {
-  repairing::FoldOpener folds;
+  repairing::FoldOpener folds(
+      [&](const TriangleMesh& patch) { return trySweep(patch, options, context, threads); });
   for (int attempt = 0;; ++attempt) {
     try {
       return solidOf(surface.mesh, *known.input, options, context, threads, watch);
     } catch (const Error& error) {
-      const bool atVertices = error.code() == ErrorCode::kNoSolid && !error.defects().empty() &&
-                              !error.defects().front().vertices.empty();
-      if (!options.repair || !atVertices || attempt == repairing::FoldOpener::kMostAttempts) throw;
+      const std::vector<VertexId> vertices = verticesWithoutRoom(error);
+      const bool tooMuch = surface.facts.removedArea > kMostRemoved * known.input->area;
+      if (!options.repair || vertices.empty() || tooMuch || attempt == repairing::FoldOpener::kMostAttempts)
+        throw;
       watch.lap("sweep");
-      surface = folds.open(surface, error.defects().front().vertices, context, threads);
+      surface = folds.open(surface, vertices, context, threads);
       known.repair = surface.facts;
       watch.lap("repair");
     }

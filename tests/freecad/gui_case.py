@@ -162,8 +162,30 @@ class GuiCase(unittest.TestCase):
         self.fail(f"no button {button}")
 
     def wait_closed(self):
-        wait_until(lambda: not Gui.Control.activeDialog(), "the task panel has closed")
+        """Wait until the open task panel has closed; it stays open with a reason, which ends the wait."""
+        form = editing.current().form if Gui.Control.activeDialog() else None
+        label = form.findChild(QtGui.QLabel, "Status") if form is not None else None
+
+        def refused():
+            return label is not None and Gui.Control.activeDialog() and "color" in label.styleSheet()
+
+        wait_until(lambda: not Gui.Control.activeDialog() or refused(), "the task panel has closed")
+        if Gui.Control.activeDialog():
+            self.fail(f"the task panel stays open: {label.text()}")
         process_events()
+
+    def answer_file_dialog(self, path):
+        """Type a file name into the dialog that opens next, and accept it."""
+
+        def fill():
+            dialog = QtGui.QApplication.activeModalWidget()
+            if not isinstance(dialog, QtGui.QFileDialog):
+                QtCore.QTimer.singleShot(50, fill)
+                return
+            dialog.findChild(QtGui.QLineEdit, "fileNameEdit").setText(str(path))
+            click(dialog.findChild(QtGui.QDialogButtonBox).button(QtGui.QDialogButtonBox.Save))
+
+        QtCore.QTimer.singleShot(50, fill)
 
     def viewport(self):
         """The widget that the 3D view is drawn on."""

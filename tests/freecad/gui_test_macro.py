@@ -10,6 +10,7 @@ from pathlib import Path
 
 import FreeCAD as App
 import FreeCADGui as Gui
+import Mesh
 from PySide import QtCore, QtGui
 
 from ThickenWorkbench import mesh_io
@@ -89,6 +90,26 @@ class Recorded(GuiCase):
         self.press("Close")
         self.wait_closed()
 
+    def print_it(self, cube, target):
+        """Hollow, drain, report, export: by clicks."""
+        self.thicken(cube, "2 mm", 0)
+        hollow = self.doc.Objects[-1]
+        self.select(hollow)
+        self.run_command("Thicken_Drain")
+        self.press("Ok")
+        self.wait_closed()
+        drained = self.doc.getObject("DrainHoles")
+        self.assertTrue(drained.Valid)
+        self.select(drained)
+        panel = self.run_command("Thicken_Report")
+        wait_until(lambda: panel.report is not None, "the report is there")
+        self.press("Close")
+        self.wait_closed()
+        self.select(drained)
+        self.answer_file_dialog(target)
+        self.run_command("Thicken_Export")
+        self.assertTrue(target.is_file(), self.messages)
+
     def replay(self, document, macro):
         code = REPLAY.format(root=str(ROOT), document=str(document), macro=str(macro))
         run = subprocess.run([FREECADCMD, "-c", code], capture_output=True, text=True, stdin=subprocess.DEVNULL)
@@ -99,15 +120,23 @@ class Recorded(GuiCase):
     def test_a_macro_gives_the_same_bytes(self):
         bump = grid(lambda x, y: 3 * (x * x < 25) * (25 - x * x) / 25)
         sources = [self.add_mesh(saddle(), "First"), self.add_mesh(bump, "Second")]
+        cube = self.doc.addObject("Mesh::Feature", "Cube")
+        cube.Mesh = Mesh.createBox(20, 20, 20)
+        exported = self.folder / "cube.stl"
         document = self.folder / "start.FCStd"
         self.doc.saveAs(str(document))
         self.start_recording("clicked.FCMacro")
         self.session(sources)
+        self.print_it(cube, exported)
         self.stop_recording()
         (macro,) = self.folder.glob("clicked*.FCMacro")
         text = macro.read_text()
-        for word in ("check_surface(", "make_thicken(", "thickness='1.2 mm'", ".Thickness = '1.5 mm'", "thickness_map("):
+        for word in ("check_surface(", "make_thicken(", "thickness='1.2 mm'", ".Thickness = '1.5 mm'", "thickness_map(",
+                     "make_drain_holes(", "printability(", "export_for_printing("):  # fmt: skip
             self.assertIn(word, text)
         meshes = [obj for obj in self.doc.Objects if obj.isDerivedFrom("Mesh::Feature")]
-        self.assertGreater(len(meshes), 3)
+        self.assertGreater(len(meshes), 6)
+        content = exported.read_bytes()
+        exported.unlink()
         self.assertEqual(self.replay(document, macro), {obj.Name: digest(obj) for obj in meshes})
+        self.assertEqual(exported.read_bytes(), content)

@@ -3,13 +3,12 @@
 
 import xml.etree.ElementTree as ElementTree
 
-import FreeCAD as App
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
 from ThickenWorkbench import preferences
 from ThickenWorkbench.gui.preferences_page import PAGE
-from gui_case import GuiCase, click, process_events, wait_until
+from gui_case import GuiCase, process_events, wait_until
 from thicken_surfaces import plate, saddle
 
 # Learned by the program, not set by the user.

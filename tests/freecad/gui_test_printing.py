@@ -4,7 +4,7 @@
 import FreeCAD as App
 import FreeCADGui as Gui
 import Mesh
-from PySide import QtCore, QtGui
+from PySide import QtCore
 
 import ThickenWorkbench
 import thicken_judge
@@ -22,19 +22,6 @@ class Printing(GuiCase):
         self.assertTrue(feature.Valid)
         self.look()
         return feature
-
-    def answer_file_dialog(self, path):
-        """Type a file name into the dialog that opens next, and accept it."""
-
-        def fill():
-            dialog = QtGui.QApplication.activeModalWidget()
-            if not isinstance(dialog, QtGui.QFileDialog):
-                QtCore.QTimer.singleShot(50, fill)
-                return
-            dialog.findChild(QtGui.QLineEdit, "fileNameEdit").setText(str(path))
-            click(dialog.findChild(QtGui.QDialogButtonBox).button(QtGui.QDialogButtonBox.Save))
-
-        QtCore.QTimer.singleShot(50, fill)
 
 
 class DrainHoles(Printing):

@@ -123,6 +123,23 @@ class ThicknessMap(GuiCase):
         self.wait_closed()
         self.assertEqual(painted(feature.ViewObject), palette())
 
+    def test_a_drained_solid_is_measured_as_well(self):
+        import Mesh
+
+        cube = self.doc.addObject("Mesh::Feature", "Cube")
+        cube.Mesh = Mesh.createBox(20, 20, 20)
+        hollow = ThickenWorkbench.make_thicken(self.doc, cube, thickness=2)
+        drained = ThickenWorkbench.make_drain_holes(self.doc, hollow)
+        plain = painted(drained.ViewObject)
+        self.select(drained)
+        panel = self.run_command("Thicken_Map")
+        wait_until(lambda: panel.map is not None, "the map is there")
+        self.assertEqual(self.child(panel, "What").count(), 1)
+        self.assertGreater(len(painted(drained.ViewObject)), 1)
+        self.press("Close")
+        self.wait_closed()
+        self.assertEqual(painted(drained.ViewObject), plain)
+
     def test_it_goes_to_the_thinnest_place(self):
         feature, panel = self.open(saddle())
         camera = Gui.activeDocument().activeView().getCameraNode()
@@ -179,3 +196,32 @@ class CheckSurface(GuiCase):
         image = self.view_image().astype(int)
         wanted = np.array(preferences.colour("ColorDefect")) * 255
         return int((np.abs(image - wanted).max(-1) < 40).sum())
+
+
+class RepairSurface(GuiCase):
+    def test_a_mended_copy_is_made_and_told(self):
+        source = self.add_mesh(crossing_plates())
+        self.select(source)
+        self.run_command("Thicken_Repair")
+        (mended,) = [obj for obj in self.doc.Objects if hasattr(obj, "Changes")]
+        self.assertTrue(mended.Valid, mended.getStatusString())
+        self.assertGreater(mended.Removed, 0)
+        self.assertFalse(source.ViewObject.Visibility)
+        self.assertEqual(ThickenWorkbench.check_surface(mended), [])
+        wait_until(lambda: self.messages, "it is told")
+        self.assertIn(mended.Changes[0], self.messages[0])
+        self.assertEqual(self.doc.UndoCount, 1)
+        self.doc.undo()
+        self.assertEqual(self.doc.Objects, [source])
+
+    def test_it_follows_from_the_check(self):
+        self.select(self.add_mesh(fin()))
+        panel = self.run_command("Thicken_Check")
+        wait_until(lambda: panel.defects is not None, "the surface is checked")
+        self.assertTrue(panel.repair.isVisible())
+        click(panel.repair)
+        wait_until(lambda: self.messages, "it is told")
+        self.assertFalse(Gui.Control.activeDialog())
+        (mended,) = [obj for obj in self.doc.Objects if hasattr(obj, "Changes")]
+        self.assertTrue(mended.Valid)
+        self.assertEqual(ThickenWorkbench.check_surface(mended), [])

@@ -6,8 +6,10 @@ import time
 import FreeCAD as App
 import FreeCADGui as Gui
 import Part
+from PySide import QtCore, QtGui
 
-from ThickenWorkbench import preferences
+import ThickenWorkbench
+from ThickenWorkbench import mesh_io, preferences
 from gui_case import GuiCase, click, type_text, wait_until
 from thicken_surfaces import fin, grid, plate, saddle
 
@@ -202,6 +204,38 @@ class Stop(GuiCase):
         self.assertEqual(self.doc.UndoCount, 0)
 
 
+class Recompute(GuiCase):
+    """A property was changed outside of the panel."""
+
+    def test_a_long_recompute_shows_progress_and_stops(self):
+        source = self.add_mesh(plate())
+        feature = ThickenWorkbench.make_thicken(self.doc, source, thickness=1)
+        self.assertTrue(feature.Valid)
+        source.Mesh = mesh_io.mesh_from_arrays(*plate(n=600))
+        seen = []
+
+        def stop():
+            dialog = QtGui.QApplication.activeModalWidget()
+            if isinstance(dialog, QtGui.QProgressDialog) and dialog.value() > 0:
+                self.picture_of(dialog, "recompute")
+                seen.append(time.monotonic())
+                self.ticker.stop()
+                click(dialog.findChild(QtGui.QPushButton))
+
+        self.ticker = QtCore.QTimer()
+        self.ticker.timeout.connect(stop)
+        self.ticker.start(50)
+        self.doc.recompute()
+        self.ticker.stop()
+        self.assertEqual(len(seen), 1, "no progress was shown")
+        self.assertLess(time.monotonic() - seen[0], 1.5)
+        self.assertFalse(feature.isValid())
+        self.assertIn("cancelled", feature.getStatusString())
+        source.Mesh = mesh_io.mesh_from_arrays(*plate())
+        self.doc.recompute()
+        self.assertTrue(feature.Valid)
+
+
 class Document(GuiCase):
     """What is left in the document: nothing after Cancel, one step after OK."""
 
@@ -220,6 +254,26 @@ class Document(GuiCase):
         self.assertEqual(self.doc.UndoCount, 0)
         self.assertFalse(self.doc.isTouched())
         self.assertEqual(source.ViewObject.RootNode.getNumChildren(), before - 2, "the overlays are still there")
+
+    def test_closing_the_document_does_no_harm(self):
+        self.select(self.add_mesh(saddle()))
+        panel = self.run_command("Thicken_Make")
+        App.closeDocument(self.doc.Name)
+        self.doc = App.newDocument("Next")
+        wait_until(lambda: not panel._preview.busy(), "the preview has ended")
+        if Gui.Control.activeDialog():
+            self.press("Cancel")
+            self.wait_closed()
+        self.assertEqual(self.doc.Objects, [])
+
+    def test_deleting_the_source_closes_the_panel(self):
+        source = self.add_mesh(saddle())
+        self.select(source)
+        panel = self.run_command("Thicken_Make")
+        wait_until(lambda: not panel._preview.busy(), "the preview is there")
+        self.doc.removeObject(source.Name)
+        self.wait_closed()
+        self.assertEqual([obj.Name for obj in self.doc.Objects if obj.Name != "Scan"], [])
 
     def test_undo_is_one_step(self):
         source = self.add_mesh(saddle())

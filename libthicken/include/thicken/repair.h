@@ -53,7 +53,7 @@ struct RepairChange {
 struct RepairFacts {
   double weldDistance = 0;  ///< mm, the farthest that corners were welded over
   std::size_t removed = 0;  ///< triangles, or parts of divided ones, that are gone
-  double removedArea = 0;   ///< mm²
+  double removedArea = 0;   ///< mm², without that of duplicates, which stay once
   std::vector<RepairChange>
       changes;           ///< in the order of RepairKind, one entry a kind; empty: nothing to mend
   SurfaceFacts surface;  ///< what came of it

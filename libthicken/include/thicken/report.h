@@ -15,6 +15,7 @@ namespace thicken {
 [[nodiscard]] std::string toJson(const Report& report);
 [[nodiscard]] std::string toJson(const Error& error);
 [[nodiscard]] std::string toJson(const CheckResult& result);
+[[nodiscard]] std::string toJson(const RepairFacts& facts);
 [[nodiscard]] std::string toJson(const Inspection& inspection);  ///< without the shell of each triangle
 
 }  // namespace thicken

@@ -4,20 +4,28 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <utility>
-#include <vector>
 
 #include "repair/fans.h"
 #include "repair/ledger.h"
-#include "repair/workpiece.h"
+#include "repair/patch.h"
 #include "thicken/check.h"
 
 namespace thicken::repairing {
 namespace {
 
+constexpr int kMostTrials = 8;
+
 Vec3 areaVector(const TriangleMesh& mesh, TriangleId t) {
   const Triangle& c = mesh.triangles[t];
   const Vec3& p = mesh.positions[c[0]];
   return (mesh.positions[c[1]] - p).cross(mesh.positions[c[2]] - p);
+}
+
+std::vector<TriangleId> fanOf(const Workpiece& piece, const VertexTriangles& around, VertexId v) {
+  std::vector<TriangleId> fan;
+  for (const TriangleId t : around.of(v))
+    if (piece.present[t] != 0) fan.push_back(t);
+  return fan;
 }
 
 // The triangle whose normal agrees least with the mean of all around the vertex.
@@ -36,12 +44,25 @@ TriangleId farthestTurned(const TriangleMesh& mesh, std::span<const TriangleId> 
 }
 
 void removeFan(Workpiece& piece, const VertexTriangles& around, VertexId v) {
-  for (const TriangleId t : around.of(v)) piece.remove(t, RepairKind::kFolded);
+  for (const TriangleId t : fanOf(piece, around, v)) piece.remove(t, RepairKind::kFolded);
 }
 
 void removeBeyondFan(Workpiece& piece, const VertexTriangles& around, VertexId v) {
-  for (const TriangleId t : around.of(v))
+  for (const TriangleId t : fanOf(piece, around, v))
     for (const VertexId w : piece.mesh.triangles[t]) removeFan(piece, around, w);
+}
+
+RepairResult provedResult(const Workpiece& piece, const RepairFacts& before, const RunContext& context,
+                          int threads) {
+  RepairResult result = packed(piece, before.weldDistance, Ledger(before));
+  if (result.mesh.triangles.empty())
+    throw Error(ErrorCode::kNoSolid, "nothing remains of the surface without its folds; smooth or remesh it");
+  CheckResult proof = check(result.mesh, context, threads);
+  if (!proof.valid())
+    throw Error(ErrorCode::kInternal, "the repaired surface is not valid: " + proof.defects.front().sentence,
+                std::move(proof.defects));
+  result.facts.surface = proof.facts;
+  return result;
 }
 
 }  // namespace
@@ -57,35 +78,54 @@ int FoldOpener::timesNamed(const TriangleMesh& mesh, const VertexTriangles& arou
   return most;
 }
 
+void FoldOpener::removeAt(Workpiece& piece, const VertexTriangles& around,
+                          std::span<const VertexId> vertices) {
+  std::vector<int> times;
+  for (const VertexId v : vertices) times.push_back(timesNamed(piece.mesh, around, v));
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const VertexId v = vertices[i];
+    const std::vector<TriangleId> fan = fanOf(piece, around, v);
+    const Vec3& p = piece.mesh.positions[v];
+    named_[{p[0], p[1], p[2]}] = times[i] + 1;
+    if (fan.empty()) continue;
+    if (times[i] == 0)
+      piece.remove(farthestTurned(piece.mesh, fan), RepairKind::kFolded);
+    else if (times[i] == 1)
+      removeFan(piece, around, v);
+    else
+      removeBeyondFan(piece, around, v);
+  }
+  openPinchedVertices(piece, around);
+}
+
+// Tries what is near the places that were named.
+std::vector<VertexId> FoldOpener::stuckNear(const Workpiece& piece, const VertexTriangles& around) const {
+  std::vector<VertexId> seeds;
+  for (VertexId v = 0; v < piece.mesh.positions.size(); ++v) {
+    const Vec3& p = piece.mesh.positions[v];
+    if (named_.count({p[0], p[1], p[2]}) > 0) seeds.push_back(v);
+  }
+  const Patch patch = patchAround(piece, around, seeds);
+  if (patch.mesh.triangles.empty()) return {};
+  std::vector<VertexId> stuck;
+  for (const VertexId v : trial_(patch.mesh))
+    if (patch.whole[v] != 0) stuck.push_back(patch.vertex[v]);
+  return stuck;
+}
+
 RepairResult FoldOpener::open(const RepairResult& before, std::span<const VertexId> vertices,
                               const RunContext& context, int threads) {
   Workpiece piece(before.mesh);
   piece.origin = before.origin;
   const VertexTriangles around = vertexTriangles(piece.mesh.positions.size(), piece.mesh.triangles);
-  std::vector<int> times;
-  for (const VertexId v : vertices) times.push_back(timesNamed(piece.mesh, around, v));
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const VertexId v = vertices[i];
-    if (around.of(v).empty()) continue;
-    if (times[i] == 0)
-      piece.remove(farthestTurned(piece.mesh, around.of(v)), RepairKind::kFolded);
-    else if (times[i] == 1)
-      removeFan(piece, around, v);
-    else
-      removeBeyondFan(piece, around, v);
-    const Vec3& p = piece.mesh.positions[v];
-    named_[{p[0], p[1], p[2]}] = times[i] + 1;
+  std::vector<VertexId> stuck(vertices.begin(), vertices.end());
+  for (int trial = 0; !stuck.empty() && trial < kMostTrials; ++trial) {
+    context.throwIfCancelled();
+    removeAt(piece, around, stuck);
+    stuck = stuckNear(piece, around);
   }
-  openPinchedVertices(piece, around);
-  RepairResult result = packed(piece, before.facts.weldDistance, Ledger(before.facts));
-  if (result.mesh.triangles.empty())
-    throw Error(ErrorCode::kNoSolid, "nothing remains of the surface without its folds; smooth or remesh it");
-  CheckResult proof = check(result.mesh, context, threads);
-  if (!proof.valid())
-    throw Error(ErrorCode::kInternal, "the repaired surface is not valid: " + proof.defects.front().sentence,
-                std::move(proof.defects));
-  result.facts.surface = proof.facts;
-  return result;
+  if (!stuck.empty()) removeAt(piece, around, stuck);
+  return provedResult(piece, before.facts, context, threads);
 }
 
 }  // namespace thicken::repairing

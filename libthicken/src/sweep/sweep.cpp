@@ -30,6 +30,8 @@ namespace {
 
 // A copy in the way of its neighbours is dropped; holes that grow this often do not end.
 constexpr int kMostRefills = 12;
+// So often the same copies may be found in the way before their place is given up.
+constexpr int kMostRepeats = 3;
 constexpr int kMostGrowths = 4;
 
 [[noreturn]] void throwNoSolidAt(const SweptMesh& mesh, const std::vector<VertexId>& vertices) {
@@ -126,6 +128,8 @@ std::vector<std::uint32_t> copiesWithoutDirection(const SweptMesh& mesh) {
 std::size_t settle(SweptMesh& mesh, const VertexTriangles& around, const RunContext& context, int threads) {
   std::size_t rounds = 0;
   std::vector<double> goal(mesh.copies.size());
+  std::vector<std::uint32_t> before;
+  int repeats = 0;
   for (int refills = 0;; ++refills) {
     const CopyGraph graph = copyGraph(mesh);
     limitSlope(mesh, graph, {});
@@ -140,7 +144,9 @@ std::size_t settle(SweptMesh& mesh, const VertexTriangles& around, const RunCont
       advance(mesh, graph, tester, goal, context);
       return rounds;
     }
-    if (refills == kMostRefills) throwNoSolid(mesh, result.stuck);
+    repeats = result.stuck == before ? repeats + 1 : 1;
+    if (refills == kMostRefills || repeats == kMostRepeats) throwNoSolid(mesh, result.stuck);
+    before = result.stuck;
     dropOrThrow(mesh, around, result.stuck);
   }
 }

@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The feature that mends a defective surface. Documents name this module and class: neither may move."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCAD as App
+import Mesh
+
+from .beside import placement_in_parent_of, put_beside, show_instead_of
+from .proxy import StatelessProxy
+from .source_observer import observe_sources
+from .sources import RefusedError, require_source, surface_arrays
+
+_RESULT = 1 | 8  # read-only, and changing it does not touch the document
+
+_INPUTS = [
+    ("App::PropertyLink", "Source", "The mesh or shape to mend"),
+    ("App::PropertyBool", "WeldAutomatically", "Weld corners of rims over a millionth of the diagonal at most"),
+    ("App::PropertyLength", "Weld", "The farthest that corners of rims may be apart to become one"),
+]
+_RESULTS = [
+    ("App::PropertyBool", "Valid", "Whether there is a surface without defects"),
+    ("App::PropertyStringList", "Changes", "What was changed"),
+    ("App::PropertyInteger", "Removed", "Triangles, or parts of divided ones, that are gone"),
+    ("App::PropertyArea", "RemovedArea", "Their area"),
+    ("App::PropertyInteger", "TriangleCount", "Triangles of the result"),
+]
+
+# What a change of each kind is to a reader; the numbers are put before.
+_WORDS = {
+    "welded": "corners moved onto a corner nearby",
+    "not-finite": "triangles with a corner that is no number removed",
+    "degenerate": "triangles without area removed",
+    "duplicate": "repeated triangles removed",
+    "divided": "triangles divided at a corner on one of their edges",
+    "turned": "triangles turned over",
+    "non-manifold-edge": "triangles removed where more than two met at an edge",
+    "one-sided": "triangles removed to cut a one-sided part open",
+    "self-intersecting": "triangles removed that met others",
+    "non-manifold-vertex": "triangles removed where parts touched in a point only",
+    "folded": "triangles removed in a fold or gap with no room for a wall",
+}
+
+
+class RepairFeature(StatelessProxy):
+    """Proxy of a Mesh::FeaturePython that holds what repair makes of its Source."""
+
+    def ensure_properties(self, obj: Any) -> None:
+        present = set(obj.PropertiesList)
+        for kind, name, doc in _INPUTS:
+            if name not in present:
+                obj.addProperty(kind, name, "Repair", doc)
+        for kind, name, doc in _RESULTS:
+            if name not in present:
+                obj.addProperty(kind, name, "Result", doc, _RESULT)
+        if "WeldAutomatically" not in present:
+            obj.WeldAutomatically = True
+        obj.setEditorMode("Placement", 1)  # it follows the source's
+
+    def execute(self, obj: Any) -> None:
+        """Mend the surface. When that is refused, nothing of an earlier one stays behind."""
+        try:
+            require_source(obj.Source, obj)
+            mesh, report = _mended(obj)
+        except BaseException:
+            self.clear(obj)
+            raise
+        mesh.Placement = placement_in_parent_of(obj, obj.Source)
+        obj.Mesh = mesh  # takes over the Placement as well
+        _show(obj, report)
+
+    def clear(self, obj: Any) -> None:
+        obj.Mesh = Mesh.Mesh()
+        _show(obj, None)
+
+
+observe_sources(RepairFeature)
+
+
+def make_repair(doc: Any, source: Any, weld: Any = None, *, name: str = "Repair") -> Any:
+    """Add a feature with a mended copy of the mesh or shape `source` to `doc`, recompute, and return it.
+
+    `weld` is the farthest that corners of rims may be apart to become one; without it a millionth of
+    the diagonal. Its Changes say what was done; docs/repair.md says how. What cannot be mended
+    does not raise: the feature's State then has "Invalid".
+    """
+    require_source(source)
+    obj = doc.addObject("Mesh::FeaturePython", name)
+    try:
+        RepairFeature(obj)
+        if weld is not None:
+            _set_weld(obj, weld)
+        put_beside(obj, source)
+        obj.Source = source
+    except Exception:
+        doc.removeObject(obj.Name)
+        raise
+    show_instead_of(obj, source)
+    doc.recompute()
+    return obj
+
+
+def _set_weld(obj: Any, weld: Any) -> None:
+    obj.WeldAutomatically = False
+    try:
+        obj.Weld = weld
+    except ArithmeticError:  # a unit of something else than length
+        raise ValueError(f"weld must be a length, not {weld}") from None
+    if isinstance(weld, (int, float)) and weld < 0:  # FreeCAD turns it into 0
+        raise ValueError(f"weld must be 0 mm or more, not {weld}")
+
+
+def _mended(obj: Any) -> tuple[Any, dict[str, Any]]:
+    try:
+        import numpy as np
+
+        from . import native
+        from .arrays import repair_mesh
+        from .mesh_io import MeshTransferError, mesh_from_arrays
+
+        extension = native.load()
+    except ImportError as error:
+        raise RefusedError(str(error)) from None
+    try:
+        surface = surface_arrays(obj.Source)
+        mended = repair_mesh(*surface, weld=None if obj.WeldAutomatically else obj.Weld.Value)
+        # The corners that triangles were divided at are the surface's own: still floats.
+        return mesh_from_arrays(np.asarray(mended.vertices), mended.triangles), mended.report
+    except (extension.ThickenError, MeshTransferError) as error:
+        text = str(error)
+        raise RefusedError(text[:1].upper() + text[1:].rstrip(".") + ".") from None
+
+
+def _show(obj: Any, report: dict[str, Any] | None) -> None:
+    obj.Valid = report is not None
+    obj.Changes = [_sentence(change) for change in report["changes"]] if report else []
+    obj.Removed = report["removed_triangles"] if report else 0
+    obj.RemovedArea = report["removed_area_mm2"] if report else 0
+    obj.TriangleCount = obj.Mesh.CountFacets
+
+
+def _sentence(change: dict[str, Any]) -> str:
+    where = ""
+    if change["places_mm"]:
+        place = App.Vector(*change["places_mm"][0])
+        where = f", the first at ({place.x:.6g}, {place.y:.6g}, {place.z:.6g}) mm"
+    return f"{change['count']} {_WORDS.get(change['kind'], change['kind'])}{where}."

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "arrays.h"
+#include "bindings.h"
+#include "from_json.h"
+#include "interruptible.h"
+#include "thicken/check.h"
+#include "thicken/repair.h"
+#include "thicken/report.h"
+
+namespace py = pybind11;
+
+namespace thicken::python {
+namespace {
+
+py::dict repairArrays(const py::object& vertices, const py::object& triangles, std::optional<double> distance,
+                      int threads, const std::optional<RunContext>& context) {
+  const RunContext run = context.value_or(RunContext());
+  const TriangleMesh mesh = meshFrom(vertices, triangles);
+  RepairResult mended = runInterruptibly(run, [&] { return repair(weld(mesh), {distance}, run, threads); });
+  py::dict result;
+  result["report"] = fromJson(toJson(mended.facts));
+  result["vertices"] = positionArray(std::move(mended.mesh.positions));
+  result["triangles"] = triangleArray(mended.mesh.triangles);
+  py::array_t<std::int64_t> origin(static_cast<py::ssize_t>(mended.origin.size()));
+  std::copy(mended.origin.begin(), mended.origin.end(), origin.mutable_data());
+  result["origin"] = std::move(origin);
+  return result;
+}
+
+}  // namespace
+
+void bindRepair(py::module_& module) {
+  using py::arg;
+  module.def(
+      "repair_mesh", &repairArrays, arg("vertices"), arg("triangles"), py::kw_only(),
+      arg("weld") = py::none(), arg("threads") = 0, arg("context") = py::none(),
+      "Make a valid surface of a defective one; returns a dict of vertices, triangles, origin and report.");
+}
+
+}  // namespace thicken::python

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The feature that mends a surface."""
+
+import FreeCAD as App
+import numpy as np
+
+import ThickenWorkbench
+from ThickenWorkbench import mesh_io
+from ThickenWorkbench.repair_feature import _WORDS
+from ThickenWorkbench.sources import RefusedError
+from thicken_case import DocumentCase
+from thicken_surfaces import crossing_plates, fin, plate
+
+
+class Repair(DocumentCase):
+    def test_mends_and_says_how(self):
+        source = self.add_source(crossing_plates())
+        source.Placement = App.Placement(App.Vector(1, 2, 3), App.Rotation(App.Vector(0, 0, 1), 30))
+        feature = ThickenWorkbench.make_repair(self.doc, source)
+        self.assertTrue(feature.isValid(), feature.getStatusString())
+        self.assertTrue(feature.Valid)
+        self.assertEqual(ThickenWorkbench.check_surface(feature), [])
+        np.testing.assert_allclose(feature.Placement.toMatrix().A, source.Placement.toMatrix().A, atol=1e-12)
+        self.assertGreater(feature.Removed, 0)
+        self.assertEqual(feature.TriangleCount, source.Mesh.CountFacets - feature.Removed)
+        self.assertIn("met others", " ".join(feature.Changes))
+        self.assertTrue(ThickenWorkbench.make_thicken(self.doc, feature, 1).Valid)
+
+    def test_good_surface_stays_as_it_is(self):
+        source = self.add_source(plate())
+        feature = ThickenWorkbench.make_repair(self.doc, source)
+        self.assertEqual((feature.Changes, feature.Removed), ([], 0))
+        for array, array_before in zip(mesh_io.arrays_from_mesh(feature.Mesh), ThickenWorkbench.weld_mesh(*plate())):
+            np.testing.assert_array_equal(array, array_before)
+
+    def test_follows_its_source(self):
+        source = self.add_source(plate())
+        feature = ThickenWorkbench.make_repair(self.doc, source)
+        source.Mesh = mesh_io.mesh_from_arrays(*fin())
+        self.doc.recompute()
+        self.assertEqual(ThickenWorkbench.check_surface(feature), [])
+        self.assertEqual(feature.Removed, 1)
+
+    def test_weld_distance(self):
+        vertices, triangles = plate()
+        apart = np.concatenate([vertices, vertices[:11] + np.float32([0, 0, 0.01])])  # one row of points, twice
+        split = np.where(triangles < 11, triangles + len(vertices), triangles)
+        halves = np.concatenate([split[:10], split[100:110], triangles[10:100], triangles[110:]])
+        source = self.add_source((apart, halves))
+        apart_feature = ThickenWorkbench.make_repair(self.doc, source, weld=0)
+        welded = ThickenWorkbench.make_repair(self.doc, source, weld="0.02 mm")
+        self.assertTrue(welded.isValid() and apart_feature.isValid())
+        self.assertEqual(welded.Weld.Value, 0.02)
+
+    def test_refusals(self):
+        with self.assertRaises(RefusedError):
+            ThickenWorkbench.make_repair(self.doc, None)
+        with self.assertRaises(ValueError):
+            ThickenWorkbench.make_repair(self.doc, self.add_source(plate()), weld=-1)
+        vertices = np.float32([[0, 0, 0], [1, 0, 0], [2, 0, 0]])
+        feature = ThickenWorkbench.make_repair(self.doc, self.add_source((vertices, [[0, 1, 2]]), "Line"))
+        self.assertFalse(feature.isValid())
+        self.assertEqual((feature.Valid, feature.Mesh.CountFacets), (False, 0))
+
+    def test_saved_and_reopened(self):
+        ThickenWorkbench.make_repair(self.doc, self.add_source(fin()))
+        path = self.folder / "part.FCStd"
+        self.doc.saveAs(str(path))
+        App.closeDocument(self.doc.Name)
+        self.doc = App.openDocument(str(path))
+        feature = self.doc.getObject("Repair")
+        self.assertTrue(feature.Valid)
+        feature.touch()
+        self.doc.recompute()
+        self.assertTrue(feature.isValid())
+
+    def test_every_kind_of_change_has_words(self):
+        from pathlib import Path
+
+        text = (Path(__file__).resolve().parents[2] / "docs" / "report.md").read_text()
+        for kind in _WORDS:
+            self.assertIn(f"`{kind}`", text)

@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The parts of docs/tutorial.md, without windows: exported, judged by another program, sliced by a third."""
+
+import re
+import shutil
+import subprocess
+import zipfile
+from pathlib import Path
+
+import ThickenWorkbench
+import thicken_judge
+from thicken_case import DocumentCase
+
+DATA = Path(__file__).resolve().parents[2] / "examples" / "data"
+
+
+class Tutorial(DocumentCase):
+    def read(self, name):
+        return self.add_source(ThickenWorkbench.read_mesh(DATA / name), Path(name).stem)
+
+    def judge(self, path):
+        program = thicken_judge.independent_judge()
+        if program is None:
+            self.skipTest("no solidcheck: set SOLIDCHECK to its path")
+        run = subprocess.run([program, "solid", path], capture_output=True, text=True)
+        self.assertEqual(run.returncode, 0, run.stdout)
+
+    def slice(self, path):
+        program = shutil.which("prusa-slicer")
+        if program is None:
+            self.skipTest("no prusa-slicer: apt-get install prusa-slicer")
+        info = subprocess.run([program, "--info", path], capture_output=True, text=True)
+        self.assertIn("manifold = yes", info.stdout)
+        # Smaller, so that the bone fits the printer; coarse layers are enough to see that all closes.
+        sliced = path.with_suffix(".sl1")
+        run = subprocess.run(
+            [program, "--export-sla", "--layer-height", "0.5", "--max-print-height", "300", "--scale", "0.4",
+             "--output", sliced, path],
+            capture_output=True, text=True, timeout=240,
+        )  # fmt: skip
+        self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+        self.assertIsNone(re.search(r"repair|non-manifold|open edges", run.stdout + run.stderr, re.IGNORECASE))
+        with zipfile.ZipFile(sliced) as archive:
+            layers = [name for name in archive.namelist() if name.endswith(".png")]
+        self.assertGreater(len(layers), 20)
+
+    def test_a_jacket_for_a_bone(self):
+        scan = self.read("femur.ply")
+        self.assertEqual(ThickenWorkbench.check_surface(scan), [])
+        jacket = ThickenWorkbench.make_thicken(self.doc, scan, "3 mm", "positive")
+        self.assert_solid(jacket)
+        path = self.folder / "jacket.stl"
+        ThickenWorkbench.export_for_printing(jacket, path)
+        self.judge(path)
+        self.slice(path)
+
+    def test_a_hollow_pawn(self):
+        hollow = ThickenWorkbench.make_thicken(self.doc, self.read("pawn.ply"), "2 mm")
+        self.assert_solid(hollow)
+        report = ThickenWorkbench.printability(hollow)
+        self.assertEqual(len(report["trapped"]), 1)
+        self.assertGreater(report["thinnest_wall"]["mm"], 1.9)
+        drained = ThickenWorkbench.make_drain_holes(self.doc, hollow)
+        self.assertTrue(drained.isValid(), drained.getStatusString())
+        self.assertEqual(ThickenWorkbench.printability(drained)["trapped"], [])
+        path = self.folder / "pawn.stl"
+        ThickenWorkbench.export_for_printing(drained, path)
+        self.judge(path)
+        self.slice(path)

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""repair_mesh() and thicken_mesh(repair=True)."""
+
+import unittest
+
+import numpy as np
+
+from ThickenWorkbench import ThickenError, check_mesh, repair_mesh, thicken_mesh
+from thicken_judge import is_closed_and_oriented, keeps
+from thicken_surfaces import crossing_plates, fin, plate, together
+
+
+class Repair(unittest.TestCase):
+    def test_removes_what_crosses_and_says_so(self):
+        vertices, triangles = crossing_plates()
+        mended = repair_mesh(vertices, triangles)
+        self.assertEqual(check_mesh(mended.vertices, mended.triangles)["defects"], [])
+        (change,) = [c for c in mended.report["changes"] if c["kind"] == "self-intersecting"]
+        self.assertTrue(change["removed"])
+        self.assertGreater(change["area_mm2"], 0)
+        self.assertEqual(mended.report["removed_triangles"], len(triangles) - len(mended.triangles))
+        self.assertEqual(mended.report["surface"]["triangles"], len(mended.triangles))
+        # what remains is the surface's own, in its order
+        np.testing.assert_array_equal(mended.vertices[mended.triangles], vertices[triangles[mended.origin]])
+        self.assertTrue(set(change["triangles"]).isdisjoint(mended.origin))
+
+    def test_leaves_a_valid_surface_as_it_is(self):
+        vertices, triangles = plate()
+        mended = repair_mesh(vertices, triangles)
+        self.assertEqual(mended.report["changes"], [])
+        np.testing.assert_array_equal(mended.vertices[mended.triangles], vertices[triangles])
+        np.testing.assert_array_equal(mended.origin, np.arange(len(triangles)))
+
+    def test_welds_over_a_stated_distance(self):
+        vertices, triangles = plate()
+        soup = vertices[triangles].reshape(-1, 3) + np.random.default_rng(1).uniform(-1e-3, 1e-3, (3 * len(triangles), 3))
+        mended = repair_mesh(soup, np.arange(len(soup)).reshape(-1, 3), weld=0.01)
+        self.assertEqual(mended.report["surface"]["rims"], 1)
+        self.assertEqual(len(mended.vertices), len(vertices))
+        self.assertEqual(mended.report["weld_distance_mm"], 0.01)
+
+    def test_thickens_the_repaired_surface(self):
+        vertices, triangles = fin()
+        mended = repair_mesh(vertices, triangles)
+        self.assertEqual(len(mended.triangles), len(triangles) - 1)
+        solid = thicken_mesh(vertices, triangles, 1, repair=True, precision="double")
+        corners = solid.vertices[solid.triangles]
+        self.assertTrue(is_closed_and_oriented(corners))
+        self.assertTrue(keeps(corners, mended.vertices[mended.triangles]))
+        self.assertEqual(solid.report["repair"]["removed_triangles"], 1)
+        self.assertIn("repaired", solid.report["warnings"][0])
+
+    def test_errors_carry_what_is_known(self):
+        with self.assertRaises(ThickenError) as caught:
+            thicken_mesh(*together(fin(), plate()), 1)
+        self.assertEqual(caught.exception.input["triangles"], len(fin()[1]) + len(plate()[1]))
+        self.assertIsNone(caught.exception.repair)
+        with self.assertRaises(ThickenError) as caught:
+            repair_mesh([[0, 0, 0], [1, 1, 1], [2, 2, 2]], [[0, 1, 2]])
+        self.assertEqual(caught.exception.code, "degenerate")
+        with self.assertRaises(ThickenError) as caught:
+            repair_mesh(*plate(), weld=-1)
+        self.assertEqual(caught.exception.code, "usage")
+
+
+if __name__ == "__main__":
+    unittest.main()
