@@ -134,6 +134,44 @@ RepairResult validSurface(TriangleMesh surface, const Options& options, RunConte
   return as;
 }
 
+// The sweep alone.
+Solid sweptSolid(SweepResult made, const SurfaceFacts& input, const Options& options, int threads) {
+  const std::size_t dropped = made.droppedCopies;
+  Solid solid = assemble(std::move(made), Method::kSweep, input, options, threads);
+  solid.report.droppedCopies = dropped;
+  return solid;
+}
+
+Solid reconstructedSolid(Reconstruction made, Method method, const SurfaceFacts& input,
+                         const Options& options, int threads) {
+  const double cell = made.cell;
+  Solid solid = assemble(std::move(made), method, input, options, threads);
+  solid.report.cell = cell;
+  return solid;
+}
+
+// The sweep with the contour of the field where it is short of the thickness; nothing where it is not, or
+// where no contour could be joined to it.
+std::optional<Solid> deepenedSolid(const TriangleMesh& surface, const TriangleMesh& oriented,
+                                   const ClosestPointTree& tree, const SweepResult& swept,
+                                   const SurfaceFacts& input, const Options& options,
+                                   const RunContext& context, int threads, Stopwatch& watch) {
+  try {
+    std::optional<Reconstruction> made = deepen(oriented, tree, swept, options, context, threads, watch);
+    if (!made) return std::nullopt;
+    Solid solid = reconstructedSolid(std::move(*made), Method::kAuto, input, options, threads);
+    proveOrThrow(solid, surface, options.side, context, threads);
+    watch.lap("audit");
+    return solid;
+  } catch (const Error& e) {
+    // The sweep, which needs no field, is the answer where there is no better one.
+    if (e.code() != ErrorCode::kNoSolid && e.code() != ErrorCode::kMemoryLimit &&
+        e.code() != ErrorCode::kInvalidArgument)
+      throw;
+    return std::nullopt;
+  }
+}
+
 // The solid of a valid surface, proved and measured.
 Solid solidOf(const TriangleMesh& surface, const SurfaceFacts& input, const Options& options,
               RunContext context, int threads, Stopwatch& watch) {
@@ -142,30 +180,30 @@ Solid solidOf(const TriangleMesh& surface, const SurfaceFacts& input, const Opti
   if (options.side == Side::kPositive) reverse(oriented);
   const ClosestPointTree tree(oriented);
   watch.lap("tree");
-  Solid solid;
+  std::optional<Solid> solid;
+  bool proved = false;
   if (options.method == Method::kReconstruct) {
-    Reconstruction made = reconstruct(oriented, tree, options, context, threads, watch);
-    const double cell = made.cell;
-    solid = assemble(std::move(made), Method::kReconstruct, input, options, threads);
-    solid.report.cell = cell;
+    solid = reconstructedSolid(reconstruct(oriented, tree, options, context, threads, watch),
+                               Method::kReconstruct, input, options, threads);
   } else {
     const Side side = options.side == Side::kBoth ? Side::kBoth : Side::kNegative;
-    SweepResult made = sweep(oriented, tree, options.thickness, side, context, threads);
-    const std::size_t dropped = made.droppedCopies;
-    solid = assemble(std::move(made), Method::kSweep, input, options, threads);
-    solid.report.droppedCopies = dropped;
+    SweepResult swept = sweep(oriented, tree, options.thickness, side, context, threads);
     watch.lap("sweep");
+    if (options.method == Method::kAuto && side == Side::kNegative)
+      solid = deepenedSolid(surface, oriented, tree, swept, input, options, context, threads, watch);
+    proved = solid.has_value();
+    if (!solid) solid = sweptSolid(std::move(swept), input, options, threads);
   }
 
   context.enter(Stage::kAuditing, kSwept, kAudited);
-  proveOrThrow(solid, surface, options.side, context, threads);
+  if (!proved) proveOrThrow(*solid, surface, options.side, context, threads);
   watch.lap("audit");
 
   context.enter(Stage::kMeasuring, kAudited, 1);
-  measure(solid, oriented, tree, context, threads);
-  requireTolerance(solid, options);
+  measure(*solid, oriented, tree, context, threads);
+  requireTolerance(*solid, options);
   watch.lap("measure");
-  return solid;
+  return std::move(*solid);
 }
 
 // The vertices that a failed run names as those without room; none for other failures.

@@ -91,7 +91,7 @@ TEST(CellWidth, FollowsTheResolution) {
   Options o;
   o.thickness = 1;
   o.resolution = 60;
-  EXPECT_DOUBLE_EQ(cellWidth(flat(10, 6), o), 12.0 / 60);
+  EXPECT_DOUBLE_EQ(cellWidth(flat(10, 6), 60, o), 12.0 / 60);
 }
 
 }  // namespace

@@ -2,9 +2,12 @@
 #include "reconstruct/assembly.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <limits>
 
+#include "exact/predicates.h"
 #include "mesh/float_lattice.h"
+#include "mesh/minimal_area.h"
 
 namespace thicken {
 
@@ -27,6 +30,7 @@ class Assembler {
     out_.carrierVertices = carrier.mesh.positions.size();
     out_.carrierTriangles = carrier.mesh.triangles.size();
     out_.dualVertices = dual.vertexCount;
+    listCarrierEdges(carrier);
   }
 
   Assembly run() {
@@ -93,6 +97,42 @@ class Assembler {
       put({w, chain[j], chain[j + 1]}, Region::kShell, Assembly::kStrip);
   }
 
+  // Whether a fan around `own` does not turn over.
+  [[nodiscard]] bool isStar(std::span<const std::pair<VertexId, std::size_t>> rim, VertexId own) const {
+    std::vector<Vec3> normals;
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = 0; i + 1 < rim.size(); ++i) {
+      normals.push_back((at(rim[i].first) - at(own)).cross(at(rim[i + 1].first) - at(own)));
+      sum += normals.back();
+    }
+    return std::all_of(normals.begin(), normals.end(), [&](const Vec3& n) { return n.dot(sum) > 0; });
+  }
+
+  // The rim's vertices in one cell and the cell's own vertex. Where the rim zigzags within the cell no fan
+  // of triangles is clear of itself, but the triangulation of least area cuts the zigzags off.
+  bool fan(std::span<const std::pair<VertexId, std::size_t>> rim, VertexId own) {
+    constexpr std::size_t kLongest = 48;
+    if (rim.size() > kLongest || isStar(rim, own)) return false;
+    std::vector<VertexId> loop{own};
+    for (std::size_t i = rim.size(); i-- > 0;) loop.push_back(rim[i].first);
+    const auto triangles = minimalAreaTriangulation(
+        out_.mesh.positions, loop, carrierEdges_,
+        [&](const Triangle& t) { return !exact::collinear(at(t[0]), at(t[1]), at(t[2])); });
+    for (const Triangle& t : triangles) put(t, Region::kShell, Assembly::kStrip);
+    return !triangles.empty();
+  }
+
+  // Chords that the triangulation must not use a second time.
+  void listCarrierEdges(const Carrier& carrier) {
+    std::vector<std::uint8_t> onRim(carrier.mesh.positions.size(), 0);
+    for (const RimEdge& e : carrier.rim.edges) onRim[e.from] = 1;
+    for (const Triangle& t : carrier.mesh.triangles)
+      for (int k = 0; k < 3; ++k) {
+        const auto [a, b] = std::minmax(t[k], t[(k + 1) % 3]);
+        if (onRim[a] && onRim[b]) carrierEdges_.insert((std::uint64_t{a} << 32) | b);
+      }
+  }
+
   void addStrip(std::size_t l) {
     const RimWay& way = ways_[l];
     const auto& stops = dual_.stops[l];
@@ -100,6 +140,10 @@ class Assembler {
     for (std::size_t i = 0; i < way.size(); ++i)
       for (const VertexId v : way[i].vertices) rim.emplace_back(v, i);
     for (std::size_t e = 0; e < rim.size(); ++e) {
+      std::size_t end = e;
+      while (end + 1 < rim.size() && rim[end + 1].second == rim[e].second) ++end;
+      if (end > e + 1 && fan(std::span(rim).subspan(e, end - e + 1), id(stops[rim[e].second].vertex)))
+        e = end;
       const auto& [v, from] = rim[e];
       const bool last = e + 1 == rim.size();
       const auto& [w, visit] = rim[last ? 0 : e + 1];
@@ -118,6 +162,7 @@ class Assembler {
   const DualSurface& dual_;
   const std::vector<Crossing>& crossings_;
   const std::vector<RimWay>& ways_;
+  EdgeSet carrierEdges_;
   Assembly out_;
 };
 

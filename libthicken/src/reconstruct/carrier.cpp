@@ -18,6 +18,19 @@ std::vector<Triangle> keptTriangles(const TriangleMesh& mesh, std::span<const st
   return kept;
 }
 
+// Vertices at which the kept triangles form more than one fan.
+std::vector<VertexId> pinchedVertices(const TriangleMesh& mesh, std::span<const std::uint8_t> keep) {
+  const HalfEdges edges(mesh.positions.size(), mesh.triangles, keep);
+  std::vector<std::uint8_t> rimEdges(mesh.positions.size(), 0);
+  std::vector<VertexId> pinched;
+  edges.forEachEdge([&](VertexId a, VertexId b, auto forth, auto back) {
+    if (forth.size() + back.size() != 1) return;
+    const VertexId from = forth.empty() ? b : a;
+    if (rimEdges[from] < 2 && ++rimEdges[from] == 2) pinched.push_back(from);
+  });
+  return pinched;
+}
+
 // Replaces a triangle by the fans that the points on its edges call for.
 class RimDivider {
  public:
@@ -87,22 +100,26 @@ class RimDivider {
 
 void closeFans(const TriangleMesh& swept, std::vector<std::uint8_t>& keep) {
   const auto around = vertexTriangles(swept.positions.size(), swept.triangles);
-  for (;;) {
-    const std::vector<Triangle> kept = keptTriangles(swept, keep);
-    const HalfEdges edges(swept.positions.size(), kept);
-    std::vector<std::uint8_t> rimEdges(swept.positions.size(), 0);
-    bool grown = false;
-    edges.forEachEdge([&](VertexId a, VertexId b, auto forth, auto back) {
-      if (forth.size() + back.size() != 1) return;
-      const VertexId from = forth.empty() ? b : a;
-      if (rimEdges[from] < 2) ++rimEdges[from];
-      if (rimEdges[from] < 2) return;
-      for (const TriangleId t : around.of(from)) {
+  for (bool grown = true; grown;) {
+    grown = false;
+    for (const VertexId v : pinchedVertices(swept, keep))
+      for (const TriangleId t : around.of(v)) {
         grown |= keep[t] == 0;
         keep[t] = 1;
       }
-    });
-    if (!grown) return;
+  }
+}
+
+void openFans(const TriangleMesh& swept, std::span<const Region> region, std::vector<std::uint8_t>& keep) {
+  const auto around = vertexTriangles(swept.positions.size(), swept.triangles);
+  for (bool shrunk = true; shrunk;) {
+    shrunk = false;
+    for (const VertexId v : pinchedVertices(swept, keep))
+      for (const TriangleId t : around.of(v)) {
+        if (!keep[t] || region[t] != Region::kShell) continue;
+        shrunk = true;
+        keep[t] = 0;
+      }
   }
 }
 

@@ -25,6 +25,9 @@ struct Carrier {
 /// has two fans.
 void closeFans(const TriangleMesh& swept, std::vector<std::uint8_t>& keep);
 
+/// Takes shell triangles out of `keep` until no vertex has two fans because of them.
+void openFans(const TriangleMesh& swept, std::span<const Region> region, std::vector<std::uint8_t>& keep);
+
 /// The carrier of the kept triangles, the sweep's vertices at `positions`; rim edges longer than `longest` mm
 /// are divided evenly, those of the first `surfaceTriangles` triangles excepted.
 [[nodiscard]] Carrier makeCarrier(const SweepResult& swept, std::span<const Vec3> positions,

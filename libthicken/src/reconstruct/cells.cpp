@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "field/uniform_grid.h"
-#include "measure/measure.h"
 #include "mesh/bounds.h"
 #include "reconstruct/reconstruct.h"
 #include "thicken/error.h"
@@ -15,8 +14,8 @@ namespace thicken {
 namespace {
 
 // Refuses what would not fit before any of it is taken, with the width that would.
-void requireMemory(const TriangleMesh& surface, double r, double width, const RunContext& context) {
-  const std::size_t bytes = fieldBytes(surface, width), limit = context.memoryLimit();
+void requireMemory(double area, double r, double width, const RunContext& context) {
+  const std::size_t bytes = fieldBytes(area, width), limit = context.memoryLimit();
   if (limit == 0) return;
   const double fits = width * std::sqrt(double(bytes) / double(limit)) * 1.01;
   context.reserve(
@@ -39,12 +38,13 @@ void requireCells(const TriangleMesh& surface, double r, double width) {
 
 }  // namespace
 
-void requireRoomForField(const TriangleMesh& surface, double r, double width, const RunContext& context) {
+void requireRoomForField(const TriangleMesh& surface, double area, double r, double width,
+                         const RunContext& context) {
   requireCells(surface, r, width);
-  requireMemory(surface, r, width, context);
+  requireMemory(area, r, width, context);
 }
 
-double cellWidth(const TriangleMesh& surface, const Options& options) {
+double cellWidth(const TriangleMesh& surface, double area, const Options& options) {
   const double r = options.thickness;
   if (options.cell) return *options.cell;
   const Bounds b = boundsOf(surface);
@@ -59,19 +59,20 @@ double cellWidth(const TriangleMesh& surface, const Options& options) {
                       *options.resolution, w, static_cast<int>(std::floor(2 * longest / r)) + 1));
     return w;
   }
-  // r/4 is round to within 1 %; coarser where that would take very many cells.
-  constexpr double kManyCells = 4e5;
-  const double byArea = std::sqrt(areaOf(surface) / kManyCells);
-  return std::clamp(byArea, r / 4, r / 2.2);
+  // r/6 is round to within 0.4 %; coarser where that would take very many cells. Where the sweep would do
+  // as well, it does not take as many for a little more accuracy.
+  constexpr double kManyCells = 6e5, kManyBesideSweep = 1.2e5;
+  const double many = options.method == Method::kReconstruct ? kManyCells : kManyBesideSweep;
+  const double byArea = std::sqrt(area / many);
+  return std::clamp(byArea, r / 6, r / 2.2);
 }
 
-std::size_t fieldBytes(const TriangleMesh& surface, double width) {
+std::size_t fieldBytes(double area, double width) {
   // Measured: what a crossing costs in all its forms, with a margin; and crossings per w² of shell,
   // the mean of |n_x| + |n_y| + |n_z| with another for what the shell is larger than S.
   constexpr double kPerCrossing = 1500;
   constexpr double kCrossings = 1.5 * 1.25;
-  return static_cast<std::size_t>(
-      std::min(1e18, kPerCrossing * kCrossings * areaOf(surface) / (width * width)));
+  return static_cast<std::size_t>(std::min(1e18, kPerCrossing * kCrossings * area / (width * width)));
 }
 
 }  // namespace thicken

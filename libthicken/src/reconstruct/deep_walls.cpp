@@ -15,12 +15,16 @@ namespace {
 
 // A copy this deep is deep enough.
 constexpr double kFull = 0.98;
+// Where a deep wall ends, in r: not beyond the shell, where the contour would have to turn around.
+constexpr double kEnd = 0.9999;
 // Share of the distance that a longer way must bring.
 constexpr double kKeep = 0.9;
 constexpr double kStep = 1.12;
 // mm of way that neighbours may differ by, per mm of rim.
 constexpr double kSlope = 1.5;
 constexpr int kHalvings = 4;
+constexpr int kShortenings = 2;
+constexpr int kMostLifts = 4;
 
 }  // namespace
 
@@ -50,6 +54,40 @@ DeepWalls::DeepWalls(const TriangleMesh& surface, const ClosestPointTree& tree, 
   });
   limitSlope();
   for (const VertexId v : low) place(v);
+  for (int i = 0; i < kShortenings; ++i) shorten(low);
+}
+
+// Draws back what reaches deeper than the shell, in its vertices or half-way between two of them: the
+// contour would have to turn around there.
+void DeepWalls::shorten(std::span<const VertexId> low) {
+  std::vector<std::array<VertexId, 2>> spans;
+  for (const auto& [a, b] : bottomEdges()) spans.push_back({a, b});
+  for (const VertexId v : low) spans.push_back({v, v});
+  std::vector<double> share(spans.size(), 1);
+  parallelFor(spans.size(), threads_, context_, 64, [&](std::size_t i) {
+    const double d = tree_.distance((at_[spans[i][0]] + at_[spans[i][1]]) / 2);
+    if (d > kEnd * thickness_) share[i] = kEnd * thickness_ / d;
+  });
+  std::vector<double> least(way_.size(), 1);
+  for (std::size_t i = 0; i < spans.size(); ++i)
+    for (const VertexId v : spans[i]) least[v] = std::min(least[v], share[i]);
+  for (const VertexId v : low) {
+    if (least[v] == 1) continue;
+    way_[v] *= least[v];
+    place(v);
+  }
+}
+
+// Edges between lower vertices of the walls that one wall triangle has.
+std::vector<std::array<VertexId, 2>> DeepWalls::bottomEdges() const {
+  std::vector<std::array<VertexId, 2>> edges;
+  for (std::size_t t = 0; t < swept_.region.size(); ++t)
+    if (swept_.region[t] == Region::kWall)
+      for (int k = 0; k < 3; ++k) {
+        const VertexId a = swept_.mesh.triangles[t][k], b = swept_.mesh.triangles[t][(k + 1) % 3];
+        if (base_[a] != kNone && base_[b] != kNone) edges.push_back({a, b});
+      }
+  return edges;
 }
 
 // How far the copy of `base` may go on in its direction and still gain distance, up to r.
@@ -58,9 +96,11 @@ double DeepWalls::deepest(VertexId low, VertexId base) const {
   const Vec3 whole = swept_.mesh.positions[low] - from;
   const double way = whole.norm();
   const double gain = swept_.distance[low] / way;
-  if (!(way > 0) || gain * way >= kFull * thickness_ || gain < 0.2) return way;
+  if (!(way > 0)) return way;
+  if (gain * way >= kFull * thickness_) return way * kEnd * thickness_ / (gain * way);
+  if (gain < 0.2) return way;
   const Vec3 direction = whole / way;
-  const double end = thickness_ / gain;
+  const double end = kEnd * thickness_ / gain;
   double good = way;
   for (double next = std::min(end, way * kStep); next > good; next = std::min(end, next * kStep)) {
     const Vec3 p = from + next * direction;
@@ -73,20 +113,13 @@ double DeepWalls::deepest(VertexId low, VertexId base) const {
 }
 
 void DeepWalls::limitSlope() {
-  std::vector<std::array<VertexId, 2>> links;
-  for (std::size_t t = 0; t < swept_.region.size(); ++t)
-    if (swept_.region[t] == Region::kWall)
-      for (int k = 0; k < 3; ++k) {
-        const VertexId a = swept_.mesh.triangles[t][k], b = swept_.mesh.triangles[t][(k + 1) % 3];
-        if (base_[a] != kNone && base_[b] != kNone) links.push_back({a, b});
-      }
+  const auto links = bottomEdges();
   for (bool changed = true; changed;) {
     changed = false;
     for (const auto& [a, b] : links) {
       const double slack = kSlope * (surface_.positions[base_[a]] - surface_.positions[base_[b]]).norm();
       for (const auto& [low, high] : {std::pair{a, b}, std::pair{b, a}}) {
-        const double least = (swept_.mesh.positions[high] - surface_.positions[base_[high]]).norm();
-        const double most = std::max(least, way_[low] + slack);
+        const double most = way_[low] + slack;
         if (way_[high] <= most * (1 + 1e-9)) continue;
         way_[high] = most;
         changed = true;
@@ -99,16 +132,31 @@ void DeepWalls::place(VertexId v) {
   const Vec3& from = surface_.positions[base_[v]];
   const Vec3& there = swept_.mesh.positions[v];
   const double way = (there - from).norm();
-  at_[v] = share_[v] == 0 || way_[v] <= way
-               ? there
-               : roundToFloat(there + share_[v] * (way_[v] - way) / way * (there - from));
+  at_[v] = share_[v] == 0 ? there : roundToFloat(there + share_[v] * (way_[v] - way) / way * (there - from));
+}
+
+bool DeepWalls::lift(std::span<const VertexId> vertices, double step) {
+  lifts_.resize(way_.size(), 0);
+  bool any = false;
+  for (const VertexId v : vertices) {
+    if (v >= base_.size() || base_[v] == kNone || lifts_[v] == kMostLifts || !(way_[v] > 2 * step)) continue;
+    ++lifts_[v];
+    way_[v] -= step;
+    any = true;
+  }
+  if (!any) return false;
+  limitSlope();
+  for (VertexId v = 0; v < base_.size(); ++v)
+    if (base_[v] != kNone) place(v);
+  return true;
 }
 
 void DeepWalls::fit(std::span<const std::uint8_t> keep) {
   std::vector<Triangle> triangles;
   std::vector<std::uint8_t> fixed;
+  // The walls are clear of S since the first fit; pieces of shell are, since the sweep.
   for (std::size_t t = 0; t < keep.size(); ++t) {
-    if (!keep[t]) continue;
+    if (!keep[t] || (fitted_ && swept_.region[t] == Region::kOriginal)) continue;
     triangles.push_back(swept_.mesh.triangles[t]);
     fixed.push_back(swept_.region[t] == Region::kOriginal);
     if (swept_.region[t] != Region::kShell) continue;
@@ -128,7 +176,10 @@ void DeepWalls::fit(std::span<const std::uint8_t> keep) {
     for (TriangleId t = 0; t < triangles.size(); ++t)
       if (!fixed[t] && exact::collinear(at_[triangles[t][0]], at_[triangles[t][1]], at_[triangles[t][2]]))
         bad.push_back(t);
-    if (bad.empty()) return;
+    if (bad.empty()) {
+      fitted_ = true;
+      return;
+    }
     std::vector<VertexId> drawn;
     for (const TriangleId t : bad)
       for (const VertexId v : triangles[t])

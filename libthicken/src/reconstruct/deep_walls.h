@@ -21,12 +21,18 @@ class DeepWalls {
   /// of shell (whose own vertices stay where the sweep has them) allow. Never deeper than before.
   void fit(std::span<const std::uint8_t> keep);
 
+  /// Draws back the lower vertices among `vertices` of the sweep by `step` mm, each a few times at most, so
+  /// that the contour has room to make the wall's end itself. Returns whether any moved.
+  bool lift(std::span<const VertexId> vertices, double step);
+
   /// Of the sweep's vertices.
   [[nodiscard]] const std::vector<Vec3>& positions() const { return at_; }
 
  private:
   [[nodiscard]] double deepest(VertexId low, VertexId base) const;
+  [[nodiscard]] std::vector<std::array<VertexId, 2>> bottomEdges() const;
   void limitSlope();
+  void shorten(std::span<const VertexId> low);
   void place(VertexId v);
 
   const TriangleMesh& surface_;
@@ -35,6 +41,8 @@ class DeepWalls {
   double thickness_;
   const RunContext& context_;
   int threads_;
+  std::vector<std::uint8_t> lifts_;
+  bool fitted_ = false;
   std::vector<VertexId> base_;  ///< per vertex of the sweep; kNone: does not move
   std::vector<double> way_;     ///< mm from the base, at full share
   std::vector<double> share_;   ///< of the way beyond the sweep's

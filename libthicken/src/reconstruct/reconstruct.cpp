@@ -8,16 +8,13 @@
 #include <utility>
 
 #include "exact/box_tree.h"
+#include "measure/measure.h"
 #include "measure/stopwatch.h"
+#include "mesh/bounds.h"
 #include "mesh/normals.h"
 #include "parallel_for.h"
-#include "reconstruct/assembly.h"
+#include "reconstruct/attempt.h"
 #include "reconstruct/carrier.h"
-#include "reconstruct/contourer.h"
-#include "reconstruct/deep_walls.h"
-#include "reconstruct/loose_parts.h"
-#include "reconstruct/settle.h"
-#include "reconstruct/shape.h"
 #include "sweep/sweep.h"
 #include "thicken/error.h"
 
@@ -25,73 +22,9 @@ namespace thicken {
 
 namespace {
 
-constexpr int kDefaultRounds = 15;  // of shape optimisation; the paper takes 10 to 20
-constexpr int kMostRefinements = 12;
+constexpr int kMostRefinements = 16, kMostYields = 12;
 // Reach of a refinement in cells, and its growth from one to the next, so that they end.
-constexpr double kFirstReach = 0.5, kReachGrowth = 1.25;
-
-// Everything that one attempt makes; refinement changes `keep` and makes it anew.
-class Attempt {
- public:
-  Attempt(const TriangleMesh& surface, const ClosestPointTree& tree, const SweepResult& swept,
-          const Options& options, double width, const RunContext& context, int threads)
-      : walls_(surface, tree, swept, options.thickness, context, threads),
-        contourer_(surface, options.thickness, width, context, threads),
-        surface_(surface),
-        tree_(tree),
-        swept_(swept),
-        options_(options),
-        width_(width),
-        context_(context),
-        threads_(threads) {}
-
-  // Returns the triangles of assembly() that meet.
-  std::vector<TriangleId> run(std::span<const std::uint8_t> keep, Stopwatch& watch) {
-    walls_.fit(keep);
-    const Carrier carrier = makeCarrier(swept_, walls_.positions(), surface_.triangles.size(), keep, width_);
-    const ClosestPointTree carrierTree(carrier.mesh);
-    const Membership membership(carrierTree, tree_, surface_.triangles.size(), options_.thickness);
-    watch.lap("sweep");
-    Contour contour = contourer_.contour(carrier, membership, onOpenShell(keep), watch);
-    assembly_ = assemble(carrier, contour.dual, contour.crossings, contour.ways);
-    dropSpecks(assembly_, width_);
-    watch.lap("faces");
-    const int rounds = options_.smooth.value_or(kDefaultRounds);
-    const std::vector<Vec3> target = shapedPositions(assembly_, contour.dual, contour.crossings, membership,
-                                                     width_, rounds, context_, threads_);
-    std::vector<TriangleId> meeting = settle(assembly_, target, context_, threads_);
-    if (meeting.empty()) dropMisplaced(assembly_, threads_);
-    watch.lap("shape");
-    return meeting;
-  }
-
-  [[nodiscard]] const Assembly& assembly() const { return assembly_; }
-
- private:
-  // Where the sweep found the inner shell and the carrier does not have it.
-  [[nodiscard]] std::vector<Vec3> onOpenShell(std::span<const std::uint8_t> keep) const {
-    constexpr double kFull = 0.98;
-    std::vector<Vec3> points;
-    std::vector<std::uint8_t> seen(swept_.mesh.positions.size(), 0);
-    for (std::size_t t = 0; t < keep.size(); ++t)
-      if (!keep[t])
-        for (const VertexId v : swept_.mesh.triangles[t])
-          if (!std::exchange(seen[v], std::uint8_t{1}) && swept_.distance[v] >= kFull * options_.thickness)
-            points.push_back(swept_.mesh.positions[v]);
-    return points;
-  }
-
-  DeepWalls walls_;
-  Contourer contourer_;
-  const TriangleMesh& surface_;
-  const ClosestPointTree& tree_;
-  const SweepResult& swept_;
-  const Options& options_;
-  double width_;
-  const RunContext& context_;
-  int threads_;
-  Assembly assembly_;
-};
+constexpr double kFirstReach = 0.5, kReachGrowth = 1.4;
 
 // Marks the sweep's shell near the triangles that meet, first near, then farther, until there is
 // something new. Returns whether there was.
@@ -103,17 +36,34 @@ bool refine(const SweepResult& swept, const exact::BoxTree& shell, const Assembl
   for (double reach = first; reach < kFarthest * width && !any; reach *= 2)
     for (const TriangleId t : meeting) {
       if (t < assembly.carrierTriangles) continue;
-      Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
-      for (const VertexId v : assembly.mesh.triangles[t]) {
-        low = low.cwiseMin(assembly.mesh.positions[v]);
-        high = high.cwiseMax(assembly.mesh.positions[v]);
-      }
-      for (const TriangleId s : shell.near(low - Vec3::Constant(reach), high + Vec3::Constant(reach))) {
+      Bounds b;
+      for (const VertexId v : assembly.mesh.triangles[t]) b.add(assembly.mesh.positions[v]);
+      for (const TriangleId s : shell.near(b.low - Vec3::Constant(reach), b.high + Vec3::Constant(reach))) {
         any |= keep[s] == 0;
         keep[s] = 1;
       }
     }
   if (any) closeFans(swept.mesh, keep);
+  return any;
+}
+
+// Gives pieces of the sweep's shell near the triangles that meet over to the contour, with all that its own
+// rim would pinch. Returns whether there were any; each is given over once.
+bool yield(const SweepResult& swept, const exact::BoxTree& shell, const Assembly& assembly,
+           std::span<const TriangleId> meeting, double reach, std::vector<std::uint8_t>& yielded,
+           std::vector<std::uint8_t>& keep) {
+  bool any = false;
+  for (const TriangleId t : meeting) {
+    Bounds b;
+    for (const VertexId v : assembly.mesh.triangles[t]) b.add(assembly.mesh.positions[v]);
+    for (const TriangleId s : shell.near(b.low - Vec3::Constant(reach), b.high + Vec3::Constant(reach))) {
+      if (yielded[s]) continue;
+      yielded[s] = 1;
+      any |= keep[s] != 0;
+      keep[s] = 0;
+    }
+  }
+  if (any) openFans(swept.mesh, swept.region, keep);
   return any;
 }
 
@@ -184,23 +134,19 @@ Reconstruction finish(const Assembly& assembly, const TriangleMesh& surface, con
   return result;
 }
 
-}  // namespace
-
-Reconstruction reconstruct(const TriangleMesh& surface, const ClosestPointTree& tree, const Options& options,
-                           const RunContext& context, int threads, Stopwatch& watch) {
-  const double width = cellWidth(surface, options);
-  requireRoomForField(surface, options.thickness, width, context);
-  SweepResult swept =
-      sweep(surface, tree, options.thickness, Side::kNegative, context, threads, Polish::kNo);
-  watch.lap("sweep");
-  std::vector<std::uint8_t> keep(swept.mesh.triangles.size(), 0), isShell(keep.size(), 0);
-  for (std::size_t t = 0; t < keep.size(); ++t) {
-    isShell[t] = swept.region[t] == Region::kShell;
-    keep[t] = !isShell[t];
-  }
+// Attempts until nothing meets: walls that are in the way are drawn back, and where that does not help the
+// sweep's own shell is kept.
+Reconstruction complete(const TriangleMesh& surface, const ClosestPointTree& tree, const SweepResult& swept,
+                        std::vector<std::uint8_t> keep, double width, const Options& options,
+                        const RunContext& context, int threads, Stopwatch& watch) {
+  openFans(swept.mesh, swept.region, keep);
+  std::vector<std::uint8_t> isShell(keep.size());
+  for (std::size_t t = 0; t < keep.size(); ++t) isShell[t] = swept.region[t] == Region::kShell;
   closeFans(swept.mesh, keep);
   const exact::BoxTree shell(swept.mesh.positions, swept.mesh.triangles, threads, isShell);
   Attempt attempt(surface, tree, swept, options, width, context, threads);
+  int refinements = 0, yields = 0;
+  std::vector<std::uint8_t> yielded(keep.size(), 0);
   for (std::size_t round = 0;; ++round) {
     const std::vector<TriangleId> meeting = attempt.run(keep, watch);
     if (meeting.empty()) {
@@ -210,14 +156,81 @@ Reconstruction reconstruct(const TriangleMesh& surface, const ClosestPointTree& 
       result.cell = width;
       return result;
     }
+    const bool lifted = attempt.liftWalls(meeting);
+    const double nearby = width * kFirstReach * std::pow(kReachGrowth, static_cast<double>(yields));
+    if (refinements == 0 && yields++ < kMostYields &&
+        yield(swept, shell, attempt.assembly(), meeting, nearby, yielded, keep))
+      continue;
+    if (lifted) continue;
+    const double reach = width * kFirstReach * std::pow(kReachGrowth, static_cast<double>(refinements));
+    if (refinements++ < kMostRefinements &&
+        refine(swept, shell, attempt.assembly(), meeting, width, reach, keep))
+      continue;
     // In the end the whole sweep, which leaves nothing to contour.
-    const double reach = width * kFirstReach * std::pow(kReachGrowth, static_cast<double>(round));
-    if (round == kMostRefinements)
-      std::fill(keep.begin(), keep.end(), std::uint8_t{1});
-    else if (round > kMostRefinements ||
-             !refine(swept, shell, attempt.assembly(), meeting, width, reach, keep))
-      refuse(attempt.assembly(), meeting);
+    if (std::find(keep.begin(), keep.end(), 0) == keep.end()) refuse(attempt.assembly(), meeting);
+    std::fill(keep.begin(), keep.end(), std::uint8_t{1});
   }
+}
+
+// Error of the sweep's shell that is left as it is, in r; and that of a contour, in w²/r².
+constexpr double kFinest = 0.005, kCellError = 0.15;
+
+// The sweep without those triangles of its shell that are farther from the thickness than `error` · r.
+std::vector<std::uint8_t> exactPart(const SweepResult& swept, const ClosestPointTree& tree, double r,
+                                    double error, const RunContext& context, int threads) {
+  std::vector<std::uint8_t> keep(swept.mesh.triangles.size(), 1);
+  const auto off = [&](double d) { return std::abs(d - r) > error * r; };
+  parallelFor(keep.size(), threads, context, 256, [&](std::size_t t) {
+    if (swept.region[t] != Region::kShell) return;
+    Vec3 middle = Vec3::Zero();
+    for (const VertexId v : swept.mesh.triangles[t]) {
+      if (off(swept.distance[v])) keep[t] = 0;
+      middle += swept.mesh.positions[v] / 3;
+    }
+    if (keep[t] && off(tree.distance(middle))) keep[t] = 0;
+  });
+  return keep;
+}
+
+double areaWithout(const SweepResult& swept, std::span<const std::uint8_t> keep) {
+  TriangleMesh rest;
+  rest.positions = swept.mesh.positions;
+  for (std::size_t t = 0; t < keep.size(); ++t)
+    if (!keep[t]) rest.triangles.push_back(swept.mesh.triangles[t]);
+  return areaOf(rest);
+}
+
+}  // namespace
+
+Reconstruction reconstruct(const TriangleMesh& surface, const ClosestPointTree& tree, const Options& options,
+                           const RunContext& context, int threads, Stopwatch& watch) {
+  const double area = areaOf(surface), width = cellWidth(surface, area, options);
+  requireRoomForField(surface, area, options.thickness, width, context);
+  const SweepResult swept =
+      sweep(surface, tree, options.thickness, Side::kNegative, context, threads, Polish::kNo);
+  watch.lap("sweep");
+  std::vector<std::uint8_t> keep(swept.mesh.triangles.size());
+  for (std::size_t t = 0; t < keep.size(); ++t) keep[t] = swept.region[t] != Region::kShell;
+  return complete(surface, tree, swept, std::move(keep), width, options, context, threads, watch);
+}
+
+std::optional<Reconstruction> deepen(const TriangleMesh& surface, const ClosestPointTree& tree,
+                                     const SweepResult& swept, const Options& options,
+                                     const RunContext& context, int threads, Stopwatch& watch) {
+  const double r = options.thickness;
+  std::vector<std::uint8_t> keep = exactPart(swept, tree, r, kFinest, context, threads);
+  if (std::find(keep.begin(), keep.end(), 0) == keep.end()) return std::nullopt;
+  double area = areaWithout(swept, keep), width = cellWidth(surface, area, options);
+  // Wider cells are no better than a sweep that is off by as much.
+  const double error = kCellError * width * width / (r * r);
+  if (error > kFinest) {
+    keep = exactPart(swept, tree, r, error, context, threads);
+    if (std::find(keep.begin(), keep.end(), 0) == keep.end()) return std::nullopt;
+    area = areaWithout(swept, keep);
+    width = cellWidth(surface, area, options);
+  }
+  requireRoomForField(surface, area, r, width, context);
+  return complete(surface, tree, swept, std::move(keep), width, options, context, threads, watch);
 }
 
 }  // namespace thicken

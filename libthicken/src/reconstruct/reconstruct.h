@@ -4,9 +4,11 @@
 // that is to be made, joined to the unsplit rim, shaped, tested exactly and refined where tests fail.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "sweep/sweep.h"
 #include "thicken/closest_point.h"
 #include "thicken/options.h"
 #include "thicken/result.h"
@@ -24,21 +26,29 @@ struct Reconstruction {
   double cell = 0;             ///< width, mm
 };
 
-/// The width of the cells that `options` mean for `surface`, mm: as given, by the resolution, or
-/// chosen. Throws kInvalidArgument where a resolution gives cells of r/2 or more (Remark 1).
-[[nodiscard]] double cellWidth(const TriangleMesh& surface, const Options& options);
+/// The width of the cells that `options` mean where `area` mm² of `surface` are to be contoured, mm: as
+/// given, by the resolution, or chosen. Throws kInvalidArgument where a resolution gives cells of r/2 or more
+/// (Remark 1).
+[[nodiscard]] double cellWidth(const TriangleMesh& surface, double area, const Options& options);
 
 /// Bytes that the field and its contour take at their peak, beyond what the sweep takes.
-[[nodiscard]] std::size_t fieldBytes(const TriangleMesh& surface, double width);
+[[nodiscard]] std::size_t fieldBytes(double area, double width);
 
 /// Throws where cells of `width` are too many for the grid's keys or, before any of it is taken, too many
 /// for the memory limit, with the width that would fit.
-void requireRoomForField(const TriangleMesh& surface, double r, double width, const RunContext& context);
+void requireRoomForField(const TriangleMesh& surface, double area, double r, double width,
+                         const RunContext& context);
 
 /// Reconstructs on the negative side of `surface` (valid, welded; `tree` is its tree). Throws kNoSolid
 /// with the place, kMemoryLimit, kCancelled. Stages are added to `watch`.
 [[nodiscard]] Reconstruction reconstruct(const TriangleMesh& surface, const ClosestPointTree& tree,
                                          const Options& options, const RunContext& context, int threads,
                                          Stopwatch& watch);
+
+/// Replaces what `swept` (of `surface` to its negative side) could not sweep to the whole thickness by the
+/// contour of the field. Nothing where there is no such place. Throws as reconstruct() does.
+[[nodiscard]] std::optional<Reconstruction> deepen(const TriangleMesh& surface, const ClosestPointTree& tree,
+                                                   const SweepResult& swept, const Options& options,
+                                                   const RunContext& context, int threads, Stopwatch& watch);
 
 }  // namespace thicken

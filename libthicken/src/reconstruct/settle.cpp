@@ -2,6 +2,7 @@
 #include "reconstruct/settle.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "exact/predicates.h"
 #include "mesh/float_lattice.h"
@@ -17,9 +18,20 @@ void sortUnique(Ids& ids) {
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
 }
 
+std::uint64_t hashOf(const TriangleMesh& mesh, const Triangle& t) {
+  std::uint64_t h = 0;
+  for (const VertexId v : t)
+    for (const double x : mesh.positions[v]) {
+      h = (h ^ std::bit_cast<std::uint64_t>(x)) * 0x9e3779b97f4a7c15u;
+      h ^= h >> 32;
+    }
+  return h;
+}
+
 class Settler {
  public:
-  Settler(Assembly& assembly, std::span<const Vec3> target, const RunContext& context, int threads)
+  Settler(Assembly& assembly, std::span<const Vec3> target, const ProvedTriangles& proved,
+          const RunContext& context, int threads)
       : a_(assembly),
         target_(target),
         context_(context),
@@ -27,18 +39,18 @@ class Settler {
         start_(assembly.mesh.positions.begin() + static_cast<std::ptrdiff_t>(assembly.carrierVertices),
                assembly.mesh.positions.end()),
         share_(start_.size(), 1),
-        around_(vertexTriangles(assembly.mesh.positions.size(), assembly.mesh.triangles)),
-        fixed_(assembly.mesh.triangles.size(), 0) {
-    std::fill_n(fixed_.begin(), assembly.carrierTriangles, std::uint8_t{1});
+        around_(vertexTriangles(assembly.mesh.positions.size(), assembly.mesh.triangles)) {
     for (std::size_t i = 0; i < start_.size(); ++i) position(i) = roundToFloat(target[i]);
+    clear_ = proved.among(assembly.mesh);
+    std::fill_n(clear_.begin(), assembly.carrierTriangles, std::uint8_t{1});
   }
 
   Ids run() {
     exact::BoxTree tree(a_.mesh.positions, a_.mesh.triangles, threads_);
-    pairs_ = tree.meetingPairs(a_.mesh.positions, a_.mesh.triangles, fixed_, context_, threads_);
+    pairs_ = tree.meetingPairs(a_.mesh.positions, a_.mesh.triangles, clear_, context_, threads_);
     for (auto t = static_cast<TriangleId>(a_.carrierTriangles); t < a_.mesh.triangles.size(); ++t)
       if (isFlat(t)) flat_.push_back(t);
-    for (int round = 0; round < kBackwards + kRelaxations && !clear(); ++round) {
+    for (int round = 0; round < kBackwards + kRelaxations && !done(); ++round) {
       context_.throwIfCancelled();
       Ids moved = involved(round < kBackwards ? 0 : (round - kBackwards) % 4 / 2);
       if (moved.empty()) break;
@@ -56,7 +68,7 @@ class Settler {
   static constexpr int kRelaxations = 16;
 
   Vec3& position(std::size_t i) { return a_.mesh.positions[a_.carrierVertices + i]; }
-  [[nodiscard]] bool clear() const { return pairs_.empty() && flat_.empty(); }
+  [[nodiscard]] bool done() const { return pairs_.empty() && flat_.empty(); }
   [[nodiscard]] bool isFlat(TriangleId t) const {
     const auto& [a, b, c] = a_.mesh.triangles[t];
     return exact::collinear(a_.mesh.positions[a], a_.mesh.positions[b], a_.mesh.positions[c]);
@@ -120,6 +132,7 @@ class Settler {
       for (const TriangleId t : around_.of(static_cast<VertexId>(a_.carrierVertices + i)))
         triangles.push_back(t);
     sortUnique(triangles);
+    for (const TriangleId t : triangles) clear_[t] = 0;
     tree.refit(a_.mesh.positions, a_.mesh.triangles, triangles);
     const auto hasMoved = [&](TriangleId t) {
       return std::binary_search(triangles.begin(), triangles.end(), t);
@@ -128,7 +141,7 @@ class Settler {
                   [&](const exact::TrianglePair& p) { return hasMoved(p.first) || hasMoved(p.second); });
     std::erase_if(flat_, hasMoved);
     const auto now =
-        tree.meetingPairsWith(triangles, a_.mesh.positions, a_.mesh.triangles, fixed_, context_, threads_);
+        tree.meetingPairsWith(triangles, a_.mesh.positions, a_.mesh.triangles, clear_, context_, threads_);
     pairs_.insert(pairs_.end(), now.begin(), now.end());
     for (const TriangleId t : triangles)
       if (isFlat(t)) flat_.push_back(t);
@@ -141,16 +154,34 @@ class Settler {
   std::vector<Vec3> start_;
   std::vector<double> share_;
   VertexTriangles around_;
-  std::vector<std::uint8_t> fixed_;
+  std::vector<std::uint8_t> clear_;  ///< of each other; 0 for what has moved
   std::vector<exact::TrianglePair> pairs_;
   Ids flat_;
 };
 
 }  // namespace
 
-std::vector<TriangleId> settle(Assembly& assembly, std::span<const Vec3> target, const RunContext& context,
-                               int threads) {
-  return Settler(assembly, target, context, threads).run();
+std::vector<std::uint8_t> ProvedTriangles::among(const TriangleMesh& mesh) const {
+  std::vector<std::uint8_t> is(mesh.triangles.size(), 0);
+  if (hashes_.empty()) return is;
+  for (std::size_t t = 0; t < is.size(); ++t)
+    is[t] = std::binary_search(hashes_.begin(), hashes_.end(), hashOf(mesh, mesh.triangles[t]));
+  return is;
+}
+
+void ProvedTriangles::replace(const TriangleMesh& mesh, std::span<const TriangleId> meeting) {
+  hashes_.clear();
+  for (TriangleId t = 0; t < mesh.triangles.size(); ++t)
+    if (!std::binary_search(meeting.begin(), meeting.end(), t))
+      hashes_.push_back(hashOf(mesh, mesh.triangles[t]));
+  std::sort(hashes_.begin(), hashes_.end());
+}
+
+std::vector<TriangleId> settle(Assembly& assembly, std::span<const Vec3> target, ProvedTriangles& proved,
+                               const RunContext& context, int threads) {
+  std::vector<TriangleId> meeting = Settler(assembly, target, proved, context, threads).run();
+  proved.replace(assembly.mesh, meeting);
+  return meeting;
 }
 
 }  // namespace thicken

@@ -8,9 +8,22 @@
 
 namespace thicken {
 
+/// Triangles that an earlier attempt proved to be clear of each other, by their corners.
+class ProvedTriangles {
+ public:
+  /// Which of the triangles of `mesh` are among them.
+  [[nodiscard]] std::vector<std::uint8_t> among(const TriangleMesh& mesh) const;
+  /// Replaces them by the triangles of `mesh` except those that meet others.
+  void replace(const TriangleMesh& mesh, std::span<const TriangleId> meeting);
+
+ private:
+  std::vector<std::uint64_t> hashes_;  ///< sorted; the audit of the result does not rely on them
+};
+
 /// Places the contour's vertices at `target` (floats), back towards where they started where triangles
-/// meet, and evens out what still meets. Returns the triangles that meet in the end, ascending.
+/// meet, and evens out what still meets. Returns the triangles that meet in the end, ascending; `proved`
+/// are not tested against each other unless they move, and are replaced.
 [[nodiscard]] std::vector<TriangleId> settle(Assembly& assembly, std::span<const Vec3> target,
-                                             const RunContext& context, int threads);
+                                             ProvedTriangles& proved, const RunContext& context, int threads);
 
 }  // namespace thicken

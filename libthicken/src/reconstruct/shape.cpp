@@ -4,6 +4,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 #include "parallel_for.h"
 
@@ -26,17 +27,32 @@ class Shaper {
         threads_(threads),
         at_(assembly.mesh.positions.begin() + static_cast<std::ptrdiff_t>(assembly.carrierVertices),
             assembly.mesh.positions.end()) {
-    for (std::uint32_t c = 0; c < crossings.size(); ++c)
-      if (crossings[c].beyond == Standing::kRim) wall_.push_back(c);
+    std::vector<std::uint8_t> onWall(dual.vertexCount, 0);
+    for (std::uint32_t c = 0; c < crossings.size(); ++c) {
+      if (crossings[c].beyond != Standing::kRim) continue;
+      wall_.push_back(c);
+      for (const VertexId v : dual.faces[c]) onWall[v] = 1;
+    }
+    for (VertexId v = 0; v < dual.vertexCount; ++v) (onWall[v] ? wallVertices_ : shellVertices_).push_back(v);
   }
 
-  void round() {
-    smoothWallNormals();
-    std::vector<Vec3> next = at_;
-    parallelFor(dual_.vertexCount, threads_, context_, 512, [&](std::size_t v) {
-      next[v] = (1 - kAlpha) * at_[v] + kAlpha * optimum(static_cast<VertexId>(v));
+  // The shell's normals do not change, so that all rounds of a vertex away from the wall are one step.
+  void run(int rounds) {
+    const double left = std::pow(1 - kAlpha, rounds);
+    parallelFor(shellVertices_.size(), threads_, context_, 512, [&](std::size_t i) {
+      const VertexId v = shellVertices_[i];
+      const Vec3 goal = optimum(v);
+      at_[v] = goal + left * (at_[v] - goal);
     });
-    at_ = std::move(next);
+    std::vector<Vec3> next(wallVertices_.size());
+    for (int i = 0; i < rounds; ++i) {
+      smoothWallNormals();
+      parallelFor(wallVertices_.size(), threads_, context_, 512, [&](std::size_t k) {
+        const VertexId v = wallVertices_[k];
+        next[k] = (1 - kAlpha) * at_[v] + kAlpha * optimum(v);
+      });
+      for (std::size_t k = 0; k < next.size(); ++k) at_[wallVertices_[k]] = next[k];
+    }
   }
 
   [[nodiscard]] bool onShell(VertexId v) const {
@@ -74,7 +90,9 @@ class Shaper {
 
   // The wall has no normal of its own (q − c lies in it): that of its faces, smoothed.
   void smoothWallNormals() {
-    std::vector<Vec3> sum(dual_.vertexCount, Vec3::Zero());
+    std::vector<Vec3>& sum = normalSum_;
+    sum.resize(dual_.vertexCount);
+    for (const VertexId v : wallVertices_) sum[v] = Vec3::Zero();
     for (const std::uint32_t c : wall_) {
       const auto& f = dual_.faces[c];
       Vec3 n = Vec3::Zero();
@@ -96,7 +114,9 @@ class Shaper {
   const RunContext& context_;
   int threads_;
   std::vector<Vec3> at_;
-  std::vector<std::uint32_t> wall_;
+  std::vector<std::uint32_t> wall_;  ///< crossings
+  std::vector<VertexId> wallVertices_, shellVertices_;
+  std::vector<Vec3> normalSum_;
 };
 
 }  // namespace
@@ -105,7 +125,7 @@ std::vector<Vec3> shapedPositions(const Assembly& assembly, const DualSurface& d
                                   std::vector<Crossing>& crossings, const Membership& membership, double cell,
                                   int rounds, const RunContext& context, int threads) {
   Shaper shaper(assembly, dual, crossings, cell, context, threads);
-  for (int i = 0; i < rounds; ++i) shaper.round();
+  shaper.run(rounds);
   std::vector<Vec3> at = std::move(shaper.positions());
   if (rounds == 0) return at;
   const double r = membership.thickness();

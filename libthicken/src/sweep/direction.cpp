@@ -95,14 +95,32 @@ class EvenDirection {
     b_ += area * n;
     weight_ += area;
   }
-  void addRim(const Vec3& conormal) { rim_ += conormal * conormal.transpose(); }
+  void addRim(const Vec3& conormal) {
+    rim_ += conormal * conormal.transpose();
+    conormals_[std::min(conormalCount_++, 1)] = conormal;
+  }
   [[nodiscard]] Vec3 solve() const {
     const Vec3 mean = b_.stableNormalized();
     const Eigen::Matrix3d a = a_ / weight_ + kRimWeight * rim_ + kDamping * Eigen::Matrix3d::Identity();
-    return a.ldlt().solve(b_ / weight_ + kDamping * mean);
+    return leanOutward(a.ldlt().solve(b_ / weight_ + kDamping * mean));
   }
 
  private:
+  // Where the wall's planes do not agree on a direction it leans out of them and not into the part, so that
+  // next to the rim S has its thickness below it as well.
+  [[nodiscard]] Vec3 leanOutward(const Vec3& m) const {
+    if (conormalCount_ != 2) return m;
+    const double inward = std::max(conormals_[0].dot(m), conormals_[1].dot(m));
+    const Vec3 out = conormals_[0] + conormals_[1];
+    const double gain = std::min(conormals_[0].dot(out), conormals_[1].dot(out));
+    constexpr double kLeastGain = 0.2, kMostLean = 0.35;
+    if (!(inward > 0) || gain < kLeastGain) return m;
+    const double step = inward / gain;
+    return step * out.norm() > kMostLean ? m : Vec3(m - step * out);
+  }
+
+  std::array<Vec3, 2> conormals_;
+  int conormalCount_ = 0;
   Eigen::Matrix3d a_ = Eigen::Matrix3d::Zero();
   Eigen::Matrix3d rim_ = Eigen::Matrix3d::Zero();
   Vec3 b_ = Vec3::Zero();

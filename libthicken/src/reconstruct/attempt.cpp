@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "reconstruct/attempt.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "measure/stopwatch.h"
+#include "mesh/half_edges.h"
+#include "parallel_for.h"
+#include "reconstruct/loose_parts.h"
+#include "reconstruct/shape.h"
+
+namespace thicken {
+
+namespace {
+
+constexpr int kDefaultRounds = 15;  // of shape optimisation; the paper takes 10 to 20
+
+}  // namespace
+
+Attempt::Attempt(const TriangleMesh& surface, const ClosestPointTree& tree, const SweepResult& swept,
+                 const Options& options, double width, const RunContext& context, int threads)
+    : walls_(surface, tree, swept, options.thickness, context, threads),
+      contourer_(surface, options.thickness, width, context, threads),
+      surface_(surface),
+      tree_(tree),
+      swept_(swept),
+      options_(options),
+      width_(width),
+      context_(context),
+      threads_(threads) {}
+
+std::vector<TriangleId> Attempt::run(std::span<const std::uint8_t> keep, Stopwatch& watch) {
+  walls_.fit(keep);
+  const Carrier carrier = makeCarrier(swept_, walls_.positions(), surface_.triangles.size(), keep, width_);
+  const ClosestPointTree carrierTree(carrier.mesh);
+  const Membership membership(carrierTree, tree_, surface_.triangles.size(), options_.thickness);
+  watch.lap("sweep");
+  Contour contour = contourer_.contour(carrier, membership, onOpenShell(keep), watch);
+  assembly_ = assemble(carrier, contour.dual, contour.crossings, contour.ways);
+  dropSpecks(assembly_, width_);
+  watch.lap("faces");
+  const int rounds = options_.smooth.value_or(kDefaultRounds);
+  const std::vector<Vec3> target = shapedPositions(assembly_, contour.dual, contour.crossings, membership,
+                                                   width_, rounds, context_, threads_);
+  std::vector<TriangleId> meeting = settle(assembly_, target, proved_, context_, threads_);
+  if (meeting.empty()) meeting = crowdedTriangles();
+  if (meeting.empty()) dropMisplaced(assembly_, threads_);
+  watch.lap("shape");
+  return meeting;
+}
+
+bool Attempt::liftWalls(std::span<const TriangleId> meeting) {
+  constexpr double kStep = 0.75;  // cells
+  std::vector<VertexId> ids;
+  for (const TriangleId t : meeting)
+    for (const VertexId v : assembly_.mesh.triangles[t])
+      if (v >= surface_.positions.size() && v < swept_.mesh.positions.size()) ids.push_back(v);
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  return walls_.lift(ids, kStep * width_);
+}
+
+// Triangles of the contour on edges that more than two share: where the rim circles around an edge of the
+// grid, strips on either side of a vertex may use the same edge.
+std::vector<TriangleId> Attempt::crowdedTriangles() const {
+  const HalfEdges edges(assembly_.mesh.positions.size(), assembly_.mesh.triangles);
+  std::vector<TriangleId> crowded;
+  edges.forEachEdge([&](VertexId, VertexId, auto forth, auto back) {
+    if (forth.size() + back.size() <= 2) return;
+    for (const auto& uses : {forth, back})
+      for (const HalfEdge& use : uses)
+        if (use.triangle() >= assembly_.carrierTriangles) crowded.push_back(use.triangle());
+  });
+  std::sort(crowded.begin(), crowded.end());
+  crowded.erase(std::unique(crowded.begin(), crowded.end()), crowded.end());
+  return crowded;
+}
+
+// Points at the thickness from S below what the carrier does not have of the sweep's shell.
+std::vector<Vec3> Attempt::onOpenShell(std::span<const std::uint8_t> keep) const {
+  constexpr double kFull = 0.98;
+  std::vector<VertexId> open;
+  std::vector<std::uint8_t> seen(swept_.mesh.positions.size(), 0);
+  for (std::size_t t = 0; t < keep.size(); ++t)
+    if (!keep[t])
+      for (const VertexId v : swept_.mesh.triangles[t])
+        if (!std::exchange(seen[v], std::uint8_t{1})) open.push_back(v);
+  std::vector<Vec3> points(open.size());
+  parallelFor(open.size(), threads_, context_, 256, [&](std::size_t i) {
+    points[i] = swept_.mesh.positions[open[i]];
+    if (swept_.distance[open[i]] >= kFull * options_.thickness) return;
+    const auto c = tree_.closest(points[i]);
+    if (c->distance > 0) points[i] = c->point + (options_.thickness / c->distance) * (points[i] - c->point);
+  });
+  return points;
+}
+
+}  // namespace thicken

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// From pieces of the sweep to a whole boundary: carrier, contour, shape, exact tests. Attempts follow each
+// other with more of the sweep or shorter walls; what an earlier one computed and proved is kept.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "reconstruct/assembly.h"
+#include "reconstruct/contourer.h"
+#include "reconstruct/deep_walls.h"
+#include "reconstruct/settle.h"
+#include "thicken/options.h"
+
+namespace thicken {
+
+class Attempt {
+ public:
+  /// All arguments by reference must outlive the attempt. `width` is the cells', mm.
+  Attempt(const TriangleMesh& surface, const ClosestPointTree& tree, const SweepResult& swept,
+          const Options& options, double width, const RunContext& context, int threads);
+
+  /// Makes the boundary from the triangles of the sweep that `keep` marks (S's among them). Returns the
+  /// triangles of assembly() that meet others, ascending; none: it is done.
+  [[nodiscard]] std::vector<TriangleId> run(std::span<const std::uint8_t> keep, Stopwatch& watch);
+
+  /// Gives the contour room at the ends of the walls that triangles meet at. Returns whether it could.
+  bool liftWalls(std::span<const TriangleId> meeting);
+
+  [[nodiscard]] const Assembly& assembly() const { return assembly_; }
+
+ private:
+  [[nodiscard]] std::vector<TriangleId> crowdedTriangles() const;
+  [[nodiscard]] std::vector<Vec3> onOpenShell(std::span<const std::uint8_t> keep) const;
+
+  DeepWalls walls_;
+  Contourer contourer_;
+  const TriangleMesh& surface_;
+  const ClosestPointTree& tree_;
+  const SweepResult& swept_;
+  const Options& options_;
+  double width_;
+  const RunContext& context_;
+  int threads_;
+  ProvedTriangles proved_;
+  Assembly assembly_;
+};
+
+}  // namespace thicken
