@@ -45,7 +45,7 @@ def page(measured: Measured) -> str:
     return (
         f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>{title}</title><style>{_STYLE}</style>'
         f"</head><body>\n<h1>{title}</h1>\n{verdict}\n<table>{rows}</table>\n<h2>Pictures</h2>\n"
-        f'<div class="pictures">{_pictures(measured)}</div>\n</body></html>\n'
+        f'<div class="pictures">{_pictures_if_possible(measured)}</div>\n</body></html>\n'
     )
 
 
@@ -82,6 +82,13 @@ def _rows(facts: dict[str, Any]) -> list[tuple[str, str]]:
     ))  # fmt: skip
     rows.append(("On the plate", f"{overhang['on_plate_mm2']:.4g} mm²"))
     return rows
+
+
+def _pictures_if_possible(measured: Measured) -> str:
+    try:
+        return _pictures(measured)
+    except ImportError as error:  # the facts are worth a page without them
+        return f"<p>There are none: {escape(str(error))}. They need Pillow.</p>"
 
 
 def _pictures(measured: Measured) -> str:
