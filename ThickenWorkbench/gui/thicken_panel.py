@@ -16,6 +16,7 @@ import FreeCADGui as Gui
 
 from .. import build, params, precomputed, prediction, preferences
 from ..arrays import ThickenedMesh, thicken_mesh
+from ..part_solid import size_warning
 from ..sources import DEFAULT_DEFLECTION
 from . import macro, messages
 from .camera import view_of
@@ -173,11 +174,8 @@ class ThickenPanel:
         if inputs["deflection"] and inputs["deflection"] != self._deflection:
             self._read_surfaces(inputs["deflection"])
         seconds, memory = prediction.forecast(self._triangles, inputs["side"]).sentence()
-        parts.forecast.setText(
-            translate("Thicken", "OK will take about {seconds} and {memory} of memory.").format(
-                seconds=seconds, memory=memory
-            )
-        )
+        forecast = translate("Thicken", "OK will take about {seconds} and {memory} of memory.")
+        parts.forecast.setText(forecast.format(seconds=seconds, memory=memory) + self._warning_of_size())
         self._arrow.show(inputs["side"], inputs["thickness"])
         self._preview.cancel()
         if self._picker is not None:
@@ -193,6 +191,13 @@ class ThickenPanel:
             self._preview.request(self._runs())
         else:
             self._preview.hide()
+
+    def _warning_of_size(self) -> str:
+        """What Part will make of a large solid: it has the surface's triangles and about as many new ones."""
+        if self.form_parts.output_word() == OUTPUTS[0]:
+            return ""
+        warning = size_warning(2 * self._triangles)
+        return f"\n{warning}" if warning else ""
 
     def _inputs_make_sense(self) -> bool:
         inputs = self.form_parts.inputs()

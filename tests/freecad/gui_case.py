@@ -167,7 +167,10 @@ class GuiCase(unittest.TestCase):
         label = form.findChild(QtGui.QLabel, "Status") if form is not None else None
 
         def refused():
-            return label is not None and Gui.Control.activeDialog() and "color" in label.styleSheet()
+            try:
+                return label is not None and Gui.Control.activeDialog() and "color" in label.styleSheet()
+            except RuntimeError:  # the panel is being deleted
+                return False
 
         wait_until(lambda: not Gui.Control.activeDialog() or refused(), "the task panel has closed")
         if Gui.Control.activeDialog():
@@ -189,8 +192,13 @@ class GuiCase(unittest.TestCase):
 
     def viewport(self):
         """The widget that the 3D view is drawn on."""
-        inner = main_window().findChild(QtGui.QMdiArea).activeSubWindow()
-        return inner.findChild(QtGui.QGraphicsView).viewport()
+        area = main_window().findChild(QtGui.QMdiArea)
+        # Without a window manager no window may be the active one: then it is the last.
+        inner = area.activeSubWindow() or area.subWindowList()[-1]
+        view = inner.findChild(QtGui.QGraphicsView)
+        port = view.viewport()
+        self.kept = [area, inner, view, port]  # PySide forgets a widget with the object that it was found in
+        return port
 
     def click_view(self, pixel):
         """Click in the 3D view; pixels count from the lower left corner, as FreeCAD has them."""

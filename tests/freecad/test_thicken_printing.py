@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""From a closed part to the printer: hollow, drained, reported on, exported, judged, sliced."""
+"""Export for printing, and what is reported before it."""
 
 import json
 import re
@@ -18,12 +18,11 @@ from ThickenWorkbench import mesh_io, native
 from ThickenWorkbench.export import read_back
 from ThickenWorkbench.sources import RefusedError
 from thicken_case import DocumentCase
-from thicken_judge import independent_judge, is_closed_and_oriented, keys, read_stl, volume
+from thicken_judge import is_closed_and_oriented, keys, read_stl, volume
 from thicken_surfaces import plate, saddle, together
 from test_thicken_part_solid import box
 
 PLACEMENT = App.Placement(App.Vector(10, -20, 30), App.Rotation(App.Vector(1, 1, 0), 70))
-CLOSED = Path(__file__).resolve().parents[3] / "shared" / "data" / "closed"
 
 
 def hollow_box(case, wall=2.0):
@@ -185,65 +184,6 @@ class Printability(DocumentCase):
     def test_page_of_what_is_no_solid(self):
         ThickenWorkbench.write_report(self.add_source(plate()), self.folder / "plate.html")
         self.assertIn("no valid solid", (self.folder / "plate.html").read_text())
-
-
-class FromPartToPrinter(DocumentCase):
-    """A part is hollowed, drained and exported; others judge the file."""
-
-    def exported(self, name):
-        path = CLOSED / f"{name}.ply"
-        if not path.is_file():
-            self.skipTest(f"no {path}: the corpus is not beside the project")
-        vertices, triangles = ThickenWorkbench.read_mesh(path)
-        vertices = vertices * (60 / np.ptp(vertices, axis=0).max())
-        source = self.add_source((vertices.astype(np.float32), triangles), "Part")
-        hollow = ThickenWorkbench.make_thicken(self.doc, source, 2)
-        self.assertTrue(hollow.isValid(), hollow.getStatusString())
-        drained = ThickenWorkbench.make_drain_holes(self.doc, hollow, 3)
-        self.assertTrue(drained.isValid(), drained.getStatusString())
-        self.assertGreater(drained.HoleCount, 0)
-        written = self.folder / f"{name}.stl"
-        ThickenWorkbench.export_for_printing(drained, written)
-        return written
-
-    def judge(self, path):
-        program = independent_judge()
-        if program is None:
-            self.skipTest("no solidcheck: set SOLIDCHECK to its path")
-        run = subprocess.run([program, "solid", path], capture_output=True, text=True)
-        self.assertEqual(run.returncode, 0, run.stdout)
-
-    def slice(self, path):
-        program = shutil.which("prusa-slicer")
-        if program is None:
-            self.skipTest("no prusa-slicer: apt-get install prusa-slicer")
-        info = subprocess.run([program, "--info", path], capture_output=True, text=True)
-        self.assertIn("manifold = yes", info.stdout)
-        self.assertNotRegex(info.stdout + info.stderr, r"(?i)repaired|open edges|errors")
-        sliced = path.with_suffix(".sl1")
-        run = subprocess.run(
-            [program, "--export-sla", "--output", sliced, path], capture_output=True, text=True, timeout=240
-        )
-        self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
-        self.assertNotRegex(run.stdout + run.stderr, r"(?i)repair|non-manifold")
-        with zipfile.ZipFile(sliced) as archive:
-            layers = [name for name in archive.namelist() if name.endswith(".png")]
-        self.assertGreater(len(layers), 50)
-
-    def test_hollow_box(self):
-        drained = ThickenWorkbench.make_drain_holes(self.doc, hollow_box(self), 4, count=2)
-        path = self.folder / "box.stl"
-        ThickenWorkbench.export_for_printing(drained, path)
-        self.judge(path)
-        self.slice(path)
-
-    def test_teddy(self):
-        path = self.exported("libdir_teddy")
-        self.judge(path)
-        self.slice(path)
-
-    def test_hand(self):
-        self.judge(self.exported("gel_hand"))
 
 
 class StartUp(DocumentCase):
