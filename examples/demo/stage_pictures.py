@@ -79,6 +79,14 @@ def plain(triangles: np.ndarray, colour) -> np.ndarray:
     return np.tile(np.asarray(colour, float), (len(triangles), 1))
 
 
+def facing(vertices: np.ndarray, triangles: np.ndarray, view: View) -> np.ndarray:
+    """The triangles of an open surface, turned so that none shows its back."""
+    corners = vertices[triangles]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    away = normals @ view.axes()[2] < 0
+    return np.where(away[:, None], triangles[:, ::-1], triangles)
+
+
 def save(image: Image.Image, path: Path) -> None:
     image.quantize(256, Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE).save(path, optimize=True)
     print(path, image.size)
@@ -171,7 +179,11 @@ def main() -> None:
         shaped = []
         for stage in ("faces", "shaped"):
             vertices, triangles = read_ply(folder / f"{stage}.ply")
-            shaped.append(draw(vertices, triangles[new], REGIONS[regions[new]], View((0.75, -0.6, 0.35), (0, 0, 1)), SIZE))
+            height = vertices[triangles][:, :, 2].mean(1)
+            seen = new & (height < vertices[:, 2].min() + 0.3 * np.ptp(vertices[:, 2]))
+            view = View((-0.75, 0.6, 0.9), (0, 0, 1))
+            used, corners = np.unique(facing(vertices, triangles[seen], view), return_inverse=True)
+            shaped.append(draw(vertices[used], corners.reshape(-1, 3), REGIONS[regions[seen]], view, SIZE))
         names = [(name, tuple(int(x) for x in colour)) for name, colour in zip(REGION_NAMES, REGIONS)]
         save(beside(shaped, names[1:]), out / "stage_shape.png")
         vertices, triangles = read_ply(folder / "shaped.ply")
