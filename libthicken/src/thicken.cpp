@@ -145,31 +145,45 @@ Solid sweptSolid(SweepResult made, const SurfaceFacts& input, const Options& opt
 Solid reconstructedSolid(Reconstruction made, Method method, const SurfaceFacts& input,
                          const Options& options, int threads) {
   const double cell = made.cell;
+  const std::size_t predicted = made.predicted;
   Solid solid = assemble(std::move(made), method, input, options, threads);
   solid.report.cell = cell;
+  solid.report.predictedMemory = predicted;
   return solid;
+}
+
+// Whether there is no better answer than the sweep, which needs no field.
+bool leavesTheSweep(const Error& e) {
+  return e.code() == ErrorCode::kNoSolid || e.code() == ErrorCode::kMemoryLimit;
 }
 
 // The sweep with the contour of the field where it is short of the thickness; nothing where it is not, or
 // where no contour could be joined to it.
-std::optional<Solid> deepenedSolid(const TriangleMesh& surface, const TriangleMesh& oriented,
-                                   const ClosestPointTree& tree, const SweepResult& swept,
-                                   const SurfaceFacts& input, const Options& options,
-                                   const RunContext& context, int threads, Stopwatch& watch) {
+std::optional<Solid> deepenedSolid(const TriangleMesh& oriented, const ClosestPointTree& tree,
+                                   const SweepResult& swept, const SurfaceFacts& input,
+                                   const Options& options, const RunContext& context, int threads,
+                                   Stopwatch& watch) {
   try {
     std::optional<Reconstruction> made = deepen(oriented, tree, swept, options, context, threads, watch);
     if (!made) return std::nullopt;
-    Solid solid = reconstructedSolid(std::move(*made), Method::kAuto, input, options, threads);
-    proveOrThrow(solid, surface, options.side, context, threads);
-    watch.lap("audit");
-    return solid;
+    return reconstructedSolid(std::move(*made), Method::kAuto, input, options, threads);
   } catch (const Error& e) {
-    // The sweep, which needs no field, is the answer where there is no better one.
-    if (e.code() != ErrorCode::kNoSolid && e.code() != ErrorCode::kMemoryLimit &&
-        e.code() != ErrorCode::kInvalidArgument)
-      throw;
+    if (!leavesTheSweep(e)) throw;
     return std::nullopt;
   }
+}
+
+// Proves the better of the two, or the sweep where the other fails.
+Solid provedOf(std::optional<Solid> better, std::optional<Solid> swept, const TriangleMesh& surface,
+               Side side, const RunContext& context, int threads) {
+  if (better) try {
+      proveOrThrow(*better, surface, side, context, threads);
+      return std::move(*better);
+    } catch (const Error& e) {
+      if (!swept || !leavesTheSweep(e)) throw;
+    }
+  proveOrThrow(*swept, surface, side, context, threads);
+  return std::move(*swept);
 }
 
 // The solid of a valid surface, proved and measured.
@@ -180,30 +194,28 @@ Solid solidOf(const TriangleMesh& surface, const SurfaceFacts& input, const Opti
   if (options.side == Side::kPositive) reverse(oriented);
   const ClosestPointTree tree(oriented);
   watch.lap("tree");
-  std::optional<Solid> solid;
-  bool proved = false;
+  std::optional<Solid> better, swept;
   if (options.method == Method::kReconstruct) {
-    solid = reconstructedSolid(reconstruct(oriented, tree, options, context, threads, watch),
-                               Method::kReconstruct, input, options, threads);
+    better = reconstructedSolid(reconstruct(oriented, tree, options, context, threads, watch),
+                                Method::kReconstruct, input, options, threads);
   } else {
     const Side side = options.side == Side::kBoth ? Side::kBoth : Side::kNegative;
-    SweepResult swept = sweep(oriented, tree, options.thickness, side, context, threads);
+    SweepResult made = sweep(oriented, tree, options.thickness, side, context, threads);
     watch.lap("sweep");
     if (options.method == Method::kAuto && side == Side::kNegative)
-      solid = deepenedSolid(surface, oriented, tree, swept, input, options, context, threads, watch);
-    proved = solid.has_value();
-    if (!solid) solid = sweptSolid(std::move(swept), input, options, threads);
+      better = deepenedSolid(oriented, tree, made, input, options, context, threads, watch);
+    swept = sweptSolid(std::move(made), input, options, threads);
   }
 
   context.enter(Stage::kAuditing, kSwept, kAudited);
-  if (!proved) proveOrThrow(*solid, surface, options.side, context, threads);
+  Solid solid = provedOf(std::move(better), std::move(swept), surface, options.side, context, threads);
   watch.lap("audit");
 
   context.enter(Stage::kMeasuring, kAudited, 1);
-  measure(*solid, oriented, tree, context, threads);
-  requireTolerance(*solid, options);
+  measure(solid, oriented, tree, context, threads);
+  requireTolerance(solid, options);
   watch.lap("measure");
-  return std::move(*solid);
+  return solid;
 }
 
 // The vertices that a failed run names as those without room; none for other failures.
@@ -263,7 +275,7 @@ Solid thickenKnown(const TriangleMesh& input, const Options& options, RunContext
   requireRoom(surface.mesh, options);
 
   Solid solid = solidOfRepaired(surface, options, context, threads, watch, known);
-  solid.report.predictedMemory = predicted;
+  solid.report.predictedMemory += predicted;
   solid.report.peakMemory = peakMemory();
   solid.report.seconds = watch.laps();
   if (options.repair) {

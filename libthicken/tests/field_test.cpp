@@ -124,7 +124,9 @@ TEST(NodeField, ForgetsWhatATriangleMayHaveChanged) {
     const bool known = sample.state == NodeField::State::kKnown;
     forgotten += !known;
     changed += now.standing != sample.standing;
-    if (known) EXPECT_EQ(now.standing, sample.standing);
+    if (known) {
+      EXPECT_EQ(now.standing, sample.standing);
+    }
   }
   EXPECT_GT(changed, 0u);
   EXPECT_LT(forgotten, field.size() / 4);

@@ -40,6 +40,12 @@ class NodeField {
     return i;
   }
   [[nodiscard]] const Sample& operator[](std::uint32_t i) const { return samples_[i]; }
+  /// Calls visit(place, sample) for every node, in the order in which they were wanted.
+  template <class Visit>
+  void forEach(Visit visit) const {
+    for (std::uint32_t i = 0; i < samples_.size(); ++i)
+      visit(grid_.node(UniformGrid::indexOf(index_.keys()[i])), samples_[i]);
+  }
   [[nodiscard]] std::size_t size() const { return samples_.size(); }
 
   /// Evaluates the nodes that are wanted.

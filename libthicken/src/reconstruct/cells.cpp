@@ -59,12 +59,14 @@ double cellWidth(const TriangleMesh& surface, double area, const Options& option
                       *options.resolution, w, static_cast<int>(std::floor(2 * longest / r)) + 1));
     return w;
   }
-  // r/6 is round to within 0.4 %; coarser where that would take very many cells. Where the sweep would do
-  // as well, it does not take as many for a little more accuracy.
+  // r/6 is round to within 0.4 %; coarser where that would take very many cells. Beside a sweep that is as
+  // good as r/5, that is enough.
   constexpr double kManyCells = 6e5, kManyBesideSweep = 1.2e5;
-  const double many = options.method == Method::kReconstruct ? kManyCells : kManyBesideSweep;
-  const double byArea = std::sqrt(area / many);
-  return std::clamp(byArea, r / 6, r / 2.2);
+  const bool alone = options.method == Method::kReconstruct;
+  const double byArea = std::sqrt(area / (alone ? kManyCells : kManyBesideSweep));
+  double finest = alone ? r / 6 : r / 5;
+  if (options.tolerance) finest = std::clamp(std::sqrt(3 * *options.tolerance * r), r / 20, finest);
+  return std::clamp(byArea, finest, r / 2.2);
 }
 
 std::size_t fieldBytes(double area, double width) {

@@ -34,8 +34,9 @@ class Contourer {
   [[nodiscard]] Contour contour(const Carrier& carrier, const Membership& membership,
                                 std::span<const Vec3> seeds, Stopwatch& watch);
 
-  /// Nodes that were evaluated.
-  [[nodiscard]] std::size_t nodes() const { return field_ ? field_->size() : 0; }
+  /// Of the last contour.
+  [[nodiscard]] const UniformGrid& grid() const { return grid_; }
+  [[nodiscard]] const NodeField& field() const { return *field_; }
 
  private:
   using Corners = std::array<Vec3, 3>;

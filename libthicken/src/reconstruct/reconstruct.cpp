@@ -172,8 +172,16 @@ Reconstruction complete(const TriangleMesh& surface, const ClosestPointTree& tre
   }
 }
 
-// Error of the sweep's shell that is left as it is, in r; and that of a contour, in w²/r².
-constexpr double kFinest = 0.005, kCellError = 0.15;
+// Error of a contour, in w²/r².
+constexpr double kCellError = 0.15;
+
+// Error of the sweep's shell that is left as it is, in r.
+double errorToLeave(const Options& options) {
+  constexpr double kEnough = 0.01;
+  constexpr double kFinest = 5e-4;
+  if (!options.tolerance) return kEnough;
+  return std::clamp(*options.tolerance / (2 * options.thickness), kFinest, kEnough);
+}
 
 // The sweep without those triangles of its shell that are farther from the thickness than `error` · r.
 std::vector<std::uint8_t> exactPart(const SweepResult& swept, const ClosestPointTree& tree, double r,
@@ -211,26 +219,32 @@ Reconstruction reconstruct(const TriangleMesh& surface, const ClosestPointTree& 
   watch.lap("sweep");
   std::vector<std::uint8_t> keep(swept.mesh.triangles.size());
   for (std::size_t t = 0; t < keep.size(); ++t) keep[t] = swept.region[t] != Region::kShell;
-  return complete(surface, tree, swept, std::move(keep), width, options, context, threads, watch);
+  Reconstruction made =
+      complete(surface, tree, swept, std::move(keep), width, options, context, threads, watch);
+  made.predicted = fieldBytes(area, width);
+  return made;
 }
 
 std::optional<Reconstruction> deepen(const TriangleMesh& surface, const ClosestPointTree& tree,
                                      const SweepResult& swept, const Options& options,
                                      const RunContext& context, int threads, Stopwatch& watch) {
-  const double r = options.thickness;
-  std::vector<std::uint8_t> keep = exactPart(swept, tree, r, kFinest, context, threads);
+  const double r = options.thickness, finest = errorToLeave(options);
+  std::vector<std::uint8_t> keep = exactPart(swept, tree, r, finest, context, threads);
   if (std::find(keep.begin(), keep.end(), 0) == keep.end()) return std::nullopt;
   double area = areaWithout(swept, keep), width = cellWidth(surface, area, options);
   // Wider cells are no better than a sweep that is off by as much.
   const double error = kCellError * width * width / (r * r);
-  if (error > kFinest) {
+  if (error > finest) {
     keep = exactPart(swept, tree, r, error, context, threads);
     if (std::find(keep.begin(), keep.end(), 0) == keep.end()) return std::nullopt;
     area = areaWithout(swept, keep);
     width = cellWidth(surface, area, options);
   }
   requireRoomForField(surface, area, r, width, context);
-  return complete(surface, tree, swept, std::move(keep), width, options, context, threads, watch);
+  Reconstruction made =
+      complete(surface, tree, swept, std::move(keep), width, options, context, threads, watch);
+  made.predicted = fieldBytes(area, width);
+  return made;
 }
 
 }  // namespace thicken

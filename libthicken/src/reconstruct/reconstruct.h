@@ -24,6 +24,7 @@ struct Reconstruction {
   std::vector<double> depth;   ///< mm per vertex of S
   std::size_t rounds = 0;      ///< of local refinement
   double cell = 0;             ///< width, mm
+  std::size_t predicted = 0;   ///< bytes for the field and its contour, beyond the sweep's
 };
 
 /// The width of the cells that `options` mean where `area` mm² of `surface` are to be contoured, mm: as
