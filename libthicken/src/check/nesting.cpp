@@ -83,7 +83,8 @@ std::vector<std::uint32_t> shellsAround(const TriangleMesh& mesh, const exact::B
   for (const TriangleId t : tree.near({-std::numeric_limits<double>::infinity(), x[1], x[2]}, x)) {
     const std::uint32_t shell = shells.ofTriangle[t];
     const Triangle& c = mesh.triangles[t];
-    if (shell != ownShell && crossesBelow(mesh.positions[c[0]], mesh.positions[c[1]], mesh.positions[c[2]], x))
+    if (shell != ownShell &&
+        crossesBelow(mesh.positions[c[0]], mesh.positions[c[1]], mesh.positions[c[2]], x))
       crossed.push_back(shell);
   }
   std::sort(crossed.begin(), crossed.end());
