@@ -172,8 +172,8 @@ def main() -> None:
         surface = read_ply(BONE)
         plane = Plane((surface[0].min(0) + surface[0].max(0)) / 2, np.array([1.0, 0.0, 0.0]))
         legend = [(NODE_NAMES[letter], colour) for letter, colour in NODES.items()]
-        save(beside([node_picture(folder, surface, plane)], legend), out / "stage_nodes.png")
-        save(beside([cell_picture(folder, surface)], [("cells of the rim", (200, 82, 70))]), out / "stage_rim.png")
+        save(beside([node_picture(folder, surface, plane)], legend), out / "nodes.png")
+        save(beside([cell_picture(folder, surface)], [("cells of the rim", (200, 82, 70))]), out / "rim.png")
         regions = np.array((folder / "faces.txt").read_text().split(), int)
         new = regions != 0
         shaped = []
@@ -185,11 +185,11 @@ def main() -> None:
             used, corners = np.unique(facing(vertices, triangles[seen], view), return_inverse=True)
             shaped.append(draw(vertices[used], corners.reshape(-1, 3), REGIONS[regions[seen]], view, SIZE))
         names = [(name, tuple(int(x) for x in colour)) for name, colour in zip(REGION_NAMES, REGIONS)]
-        save(beside(shaped, names[1:]), out / "stage_shape.png")
+        save(beside(shaped, names[1:]), out / "shape.png")
         vertices, triangles = read_ply(folder / "shaped.ply")
-        save(beside([draw(vertices, triangles, REGIONS[regions], VIEW, SIZE, None)], names), out / "stage_regions.png")
-        save(hollowing(program, folder), out / "stage_hollowing.png")
-        save(deviation(program, folder), out / "stage_deviation.png")
+        save(beside([draw(vertices, triangles, REGIONS[regions], VIEW, SIZE, None)], names), out / "regions.png")
+        save(hollowing(program, folder), out / "hollowing.png")
+        save(deviation(program, folder), out / "deviation.png")
 
 
 if __name__ == "__main__":

@@ -152,9 +152,10 @@ Solid reconstructedSolid(Reconstruction made, Method method, const SurfaceFacts&
   return solid;
 }
 
-// Whether there is no better answer than the sweep, which needs no field.
+// Whether the sweep, which needs no field, is the answer when the contour fails so.
 bool leavesTheSweep(const Error& e) {
-  return e.code() == ErrorCode::kNoSolid || e.code() == ErrorCode::kMemoryLimit;
+  return e.code() == ErrorCode::kNoSolid || e.code() == ErrorCode::kMemoryLimit ||
+         e.code() == ErrorCode::kInternal;
 }
 
 // The sweep with the contour of the field where it is short of the thickness; nothing where it is not, or

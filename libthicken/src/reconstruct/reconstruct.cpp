@@ -47,6 +47,12 @@ bool refine(const SweepResult& swept, const exact::BoxTree& shell, const Assembl
   return any;
 }
 
+// Makes `keep` a surface without pinched vertices: by less shell where that is enough, else by more.
+void separateFans(const SweepResult& swept, std::vector<std::uint8_t>& keep) {
+  openFans(swept.mesh, swept.region, keep);
+  closeFans(swept.mesh, keep);
+}
+
 // Gives pieces of the sweep's shell near the triangles that meet over to the contour, with all that its own
 // rim would pinch. Returns whether there were any; each is given over once.
 bool yield(const SweepResult& swept, const exact::BoxTree& shell, const Assembly& assembly,
@@ -63,7 +69,7 @@ bool yield(const SweepResult& swept, const exact::BoxTree& shell, const Assembly
       keep[s] = 0;
     }
   }
-  if (any) openFans(swept.mesh, swept.region, keep);
+  if (any) separateFans(swept, keep);
   return any;
 }
 
@@ -139,10 +145,9 @@ Reconstruction finish(const Assembly& assembly, const TriangleMesh& surface, con
 Reconstruction complete(const TriangleMesh& surface, const ClosestPointTree& tree, const SweepResult& swept,
                         std::vector<std::uint8_t> keep, double width, const Options& options,
                         const RunContext& context, int threads, Stopwatch& watch) {
-  openFans(swept.mesh, swept.region, keep);
+  separateFans(swept, keep);
   std::vector<std::uint8_t> isShell(keep.size());
   for (std::size_t t = 0; t < keep.size(); ++t) isShell[t] = swept.region[t] == Region::kShell;
-  closeFans(swept.mesh, keep);
   const exact::BoxTree shell(swept.mesh.positions, swept.mesh.triangles, threads, isShell);
   Attempt attempt(surface, tree, swept, options, width, context, threads);
   int refinements = 0, yields = 0;
