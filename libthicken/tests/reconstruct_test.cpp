@@ -55,6 +55,19 @@ TEST(Reconstruct, HollowsAClosedSurface) {
   EXPECT_NEAR(solid.report.volume, 8 * 6 * 5 - 6 * 4 * 3, 0.5);
 }
 
+// Corners are where a copy of a vertex is nearer to S than the thickness, and a box has nothing but corners.
+TEST(Reconstruct, FindsTheCavityOfABoxAtAnyThickness) {
+  for (const Method method : {Method::kAuto, Method::kReconstruct})
+    for (const double r : {0.1, 0.3, 0.5, 0.77, 1.0, 1.6, 2.2}) {
+      Options options;
+      options.thickness = r;
+      options.method = method;
+      const Solid solid = ::thicken::thicken(shapes::box({0, 0, 0}, {8, 6, 5}), options);
+      EXPECT_EQ(solid.report.components, 2u) << r;
+      EXPECT_NEAR(solid.report.volume, 240 - (8 - 2 * r) * (6 - 2 * r) * (5 - 2 * r), 0.01 * 240) << r;
+    }
+}
+
 TEST(Reconstruct, GivesTheSameBytesForAnyThreads) {
   const TriangleMesh sheet = shapes::sheet(12, 9);
   const Solid one = thicken(sheet, by(0.9, 0.25, 1)), three = thicken(sheet, by(0.9, 0.25, 3));

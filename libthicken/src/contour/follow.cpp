@@ -24,12 +24,11 @@ class Follower {
 
   std::vector<Crossing> run(std::span<const GridIndex> seeds) {
     for (const GridIndex& cell : seeds) cells_.insert(UniformGrid::key(cell));
-    for (std::size_t done = 0; done < cells_.size();) {
-      const std::size_t end = cells_.size(), firstEdge = edges_.size();
-      for (; done < end; ++done) enter(UniformGrid::indexOf(cells_.keys()[done]));
-      field_.evaluate(membership_, context_, threads_);
-      examine(firstEdge);
-    }
+    follow();
+    // A seed is a point near the contour, which may pass its cell by.
+    for (const GridIndex& cell : seeds)
+      if (!crossed_.contains(UniformGrid::key(cell))) enterNeighbours(cell);
+    follow();
     std::sort(found_.begin(), found_.end(), [](const Crossing& a, const Crossing& b) {
       return a.edge != b.edge ? a.edge < b.edge : a.from < b.from;
     });
@@ -37,6 +36,20 @@ class Follower {
   }
 
  private:
+  void follow() {
+    while (done_ < cells_.size()) {
+      const std::size_t end = cells_.size(), firstEdge = edges_.size();
+      for (; done_ < end; ++done_) enter(UniformGrid::indexOf(cells_.keys()[done_]));
+      field_.evaluate(membership_, context_, threads_);
+      examine(firstEdge);
+    }
+  }
+
+  void enterNeighbours(const GridIndex& cell) {
+    for (int c = 0; c < 27; ++c)
+      cells_.insert(UniformGrid::key({cell[0] + c % 3 - 1, cell[1] + c / 3 % 3 - 1, cell[2] + c / 9 - 1}));
+  }
+
   // Lists the cell's nodes and edges that no cell before it had.
   void enter(const GridIndex& cell) {
     std::array<std::uint32_t, 8> corner{};
@@ -67,7 +80,9 @@ class Follower {
         const GridIndex n = UniformGrid::indexOf(c.edge >> 2);
         for (int k = 0; k < 4; ++k) {
           const GridIndex o = sectorOffset(static_cast<int>(c.edge & 3), k);
-          cells_.insert(UniformGrid::key({n[0] + o[0], n[1] + o[1], n[2] + o[2]}));
+          const std::uint64_t cell = UniformGrid::key({n[0] + o[0], n[1] + o[1], n[2] + o[2]});
+          cells_.insert(cell);
+          crossed_.insert(cell);
         }
       }
   }
@@ -78,7 +93,8 @@ class Follower {
   NodeField& field_;
   const RunContext& context_;
   int threads_;
-  KeyIndex cells_, edges_;
+  KeyIndex cells_, edges_, crossed_;
+  std::size_t done_ = 0;                            ///< cells
   std::vector<std::array<std::uint32_t, 2>> ends_;  ///< nodes of each edge
   std::vector<Crossing> found_;
 };

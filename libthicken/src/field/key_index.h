@@ -29,6 +29,8 @@ class KeyIndex {
     return slots_.empty() ? kAbsent : slots_[slotOf(key)];
   }
 
+  [[nodiscard]] bool contains(std::uint64_t key) const { return find(key) != kAbsent; }
+
   [[nodiscard]] const std::vector<std::uint64_t>& keys() const { return keys_; }
   [[nodiscard]] std::size_t size() const { return keys_.size(); }
 

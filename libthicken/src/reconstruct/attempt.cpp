@@ -77,6 +77,20 @@ std::vector<TriangleId> Attempt::crowdedTriangles() const {
   return crowded;
 }
 
+// Away from the closest point of S until nothing of S is nearer than the thickness: in a corner from one
+// side after the other.
+Vec3 Attempt::pushedToShell(Vec3 p) const {
+  constexpr int kMostSteps = 16;
+  constexpr double kClose = 0.01;
+  const double r = options_.thickness;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const auto c = tree_.closest(p);
+    if (!(c->distance > 0) || c->distance > (1 - kClose) * r) return p;
+    p = c->point + (r / c->distance) * (p - c->point);
+  }
+  return p;
+}
+
 // Points at the thickness from S below what the carrier does not have of the sweep's shell.
 std::vector<Vec3> Attempt::onOpenShell(std::span<const std::uint8_t> keep) const {
   constexpr double kFull = 0.98;
@@ -89,9 +103,7 @@ std::vector<Vec3> Attempt::onOpenShell(std::span<const std::uint8_t> keep) const
   std::vector<Vec3> points(open.size());
   parallelFor(open.size(), threads_, context_, 256, [&](std::size_t i) {
     points[i] = swept_.mesh.positions[open[i]];
-    if (swept_.distance[open[i]] >= kFull * options_.thickness) return;
-    const auto c = tree_.closest(points[i]);
-    if (c->distance > 0) points[i] = c->point + (options_.thickness / c->distance) * (points[i] - c->point);
+    if (swept_.distance[open[i]] < kFull * options_.thickness) points[i] = pushedToShell(points[i]);
   });
   return points;
 }
