@@ -112,10 +112,10 @@ class Report(Printing):
 
     def test_it_follows_the_inputs(self):
         solid, panel = self.open()
-        self.assertNotIn("thinner than 1.9", self.child(panel, "Facts").toPlainText())
-        type_text(self.child(panel, "Minimum"), "1.9 mm")
+        self.assertNotIn("thinner than 2.5", self.child(panel, "Facts").toPlainText())
+        type_text(self.child(panel, "Minimum"), "2.5 mm")
         wait_until(lambda: panel.report is not None, "the report is there again")
-        self.assertIn("thinner than 1.9", self.child(panel, "Facts").toPlainText())
+        self.assertIn("thinner than 2.5", self.child(panel, "Facts").toPlainText())
 
     def test_it_is_saved(self):
         solid, panel = self.open()
