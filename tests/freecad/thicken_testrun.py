@@ -3,7 +3,7 @@
 
 A FreeCAD without a display ends with 0 after most failures, and runs no `__main__` part of a
 script. Therefore: `freecadcmd -c "…; import thicken_testrun; sys.exit(thicken_testrun.main())"`, no
-tests count as failure, and the last line is printed only after success. tests/freecad/run does it.
+tests count as failure, and the last line tells what happened. tests/freecad/run reads it.
 """
 
 from __future__ import annotations
@@ -14,7 +14,8 @@ import unittest
 from pathlib import Path
 
 FOLDER = Path(__file__).resolve().parent
-SENTINEL = "thicken: all FreeCAD tests passed"
+PASSED = "thicken: all FreeCAD tests passed"
+SKIPPED = "thicken: all FreeCAD tests skipped"
 
 
 def main() -> int:
@@ -22,7 +23,10 @@ def main() -> int:
     modules = chosen or sorted(path.stem for path in FOLDER.glob("test_thicken_*.py"))
     suite = unittest.TestSuite(unittest.defaultTestLoader.loadTestsFromName(module) for module in modules)
     result = unittest.TextTestRunner(stream=sys.stdout, verbosity=2).run(suite)
-    passed = result.wasSuccessful() and result.testsRun > len(result.skipped)
-    print(f"\n{SENTINEL}" if passed else f"\nthicken: FreeCAD tests failed ({result.testsRun} run)")
+    passed = result.wasSuccessful() and result.testsRun > 0
+    if not passed:
+        print(f"\nthicken: FreeCAD tests failed ({result.testsRun} run)")
+    else:
+        print(f"\n{SKIPPED if result.testsRun == len(result.skipped) else PASSED}")
     sys.stdout.flush()
     return 0 if passed else 1
