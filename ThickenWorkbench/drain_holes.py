@@ -12,7 +12,7 @@ import FreeCAD as App
 import Mesh
 
 from .beside import placement_in_parent_of, put_beside, show_instead_of
-from .proxy import StatelessProxy
+from .proxy import StatelessProxy, add_properties
 from .source_observer import observe_sources
 from .sources import RefusedError, kind_of
 
@@ -42,7 +42,7 @@ _RESULTS = [
 ]
 # What a plug is made from: the corners of each cross-section, one after the other, and from where to
 # where each hole has its wall all around.
-_OUTLINES = [("App::PropertyVectorList", "Outlines"), ("App::PropertyFloatList", "Walled")]
+_OUTLINES = [("App::PropertyVectorList", "Outlines", ""), ("App::PropertyFloatList", "Walled", "")]
 
 SIDES = 24
 
@@ -59,17 +59,11 @@ class DrainHolesFeature(StatelessProxy):
     """Proxy of a Mesh::FeaturePython that holds the solid of its Source with holes in it."""
 
     def ensure_properties(self, obj: Any) -> None:
-        present = set(obj.PropertiesList)
-        for kind, name, doc in _INPUTS:
-            if name not in present:
-                obj.addProperty(kind, name, "Drain", doc)
-        for kind, name, doc in _RESULTS:
-            if name not in present:
-                obj.addProperty(kind, name, "Result", doc, _RESULT)
-        for kind, name in _OUTLINES:
-            if name not in present:
-                obj.addProperty(kind, name, "Internal", "", _RESULT | _HIDDEN)
-        if "Diameter" not in present:
+        fresh = "Diameter" not in obj.PropertiesList
+        add_properties(obj, "Drain", _INPUTS)
+        add_properties(obj, "Result", _RESULTS, _RESULT)
+        add_properties(obj, "Internal", _OUTLINES, _RESULT | _HIDDEN)
+        if fresh:
             obj.Diameter = 3.5
             obj.Count = (1, 1, 100, 1)  # value, least, most, step
             obj.Direction = App.Vector(0, 0, 1)

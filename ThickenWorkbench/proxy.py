@@ -3,12 +3,22 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Iterable
 
 import FreeCAD as App
 
+from .stateless import Stateless
 
-class StatelessProxy:
+
+def add_properties(obj: Any, group: str, table: Iterable[tuple[str, str, str]], attributes: int = 0) -> None:
+    """Add those properties of `table` (type, name, description) that `obj` lacks."""
+    present = set(obj.PropertiesList)
+    for kind, name, doc in table:
+        if name not in present:
+            obj.addProperty(kind, name, group, doc, attributes)
+
+
+class StatelessProxy(Stateless):
     """Keeps everything in the properties of the object. Subclasses add them in ensure_properties()."""
 
     def __init__(self, obj: Any) -> None:
@@ -29,16 +39,3 @@ class StatelessProxy:
             from .view_provider import attach_view_provider
 
             attach_view_provider(obj)
-
-    # FreeCAD before 0.21.2 calls the first pair, later ones the second.
-    def __getstate__(self) -> None:
-        return None
-
-    def __setstate__(self, state: Any) -> None:
-        return None
-
-    def dumps(self) -> None:
-        return None
-
-    def loads(self, state: Any) -> None:
-        return None

@@ -9,7 +9,7 @@ import FreeCAD as App
 import Mesh
 
 from .beside import placement_in_parent_of, put_beside, show_instead_of
-from .proxy import StatelessProxy
+from .proxy import StatelessProxy, add_properties
 from .source_observer import observe_sources
 from .sources import RefusedError, require_source, surface_arrays
 
@@ -48,14 +48,10 @@ class RepairFeature(StatelessProxy):
     """Proxy of a Mesh::FeaturePython that holds what repair makes of its Source."""
 
     def ensure_properties(self, obj: Any) -> None:
-        present = set(obj.PropertiesList)
-        for kind, name, doc in _INPUTS:
-            if name not in present:
-                obj.addProperty(kind, name, "Repair", doc)
-        for kind, name, doc in _RESULTS:
-            if name not in present:
-                obj.addProperty(kind, name, "Result", doc, _RESULT)
-        if "WeldAutomatically" not in present:
+        fresh = "WeldAutomatically" not in obj.PropertiesList
+        add_properties(obj, "Repair", _INPUTS)
+        add_properties(obj, "Result", _RESULTS, _RESULT)
+        if fresh:
             obj.WeldAutomatically = True
         obj.setEditorMode("Placement", 1)  # it follows the source's
 

@@ -9,10 +9,12 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+from .stateless import Stateless
+
 ICONS = Path(__file__).resolve().parent.parent / "icons"
 
 
-class FeatureViewProvider:
+class FeatureViewProvider(Stateless):
     """What the views of all features have in common; keeps no state that would be saved."""
 
     icon = "thicken.svg"
@@ -35,19 +37,6 @@ class FeatureViewProvider:
         if source is not None and source.ViewObject is not None:
             source.ViewObject.Visibility = True
         return True
-
-    # FreeCAD before 0.21.2 calls the first pair, later ones the second.
-    def __getstate__(self) -> None:
-        return None
-
-    def __setstate__(self, state: Any) -> None:
-        return None
-
-    def dumps(self) -> None:
-        return None
-
-    def loads(self, state: Any) -> None:
-        return None
 
 
 class ThickenViewProvider(FeatureViewProvider):

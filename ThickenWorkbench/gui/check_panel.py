@@ -18,7 +18,8 @@ from .chosen import Chosen
 from .defect_places import Place, places
 from .job import Job
 from .overlay import faces, lines, over_view, points
-from .qt import QtCore, QtWidgets, standard_buttons
+from .panel import Panel
+from .qt import QtCore, QtWidgets
 
 translate = App.Qt.translate
 
@@ -26,8 +27,8 @@ translate = App.Qt.translate
 _AROUND = 0.06
 
 
-class CheckPanel:
-    """Shown by Gui.Control.showDialog(); changes nothing in the document."""
+class CheckPanel(Panel):
+    """Changes nothing in the document."""
 
     def __init__(self, item: Chosen) -> None:
         self.item = item
@@ -40,19 +41,7 @@ class CheckPanel:
         self._build()
         Gui.Selection.clearSelection()
         named = {name: value for name, value in item.named().items() if value is not None}
-        self._job: Job | None = Job([lambda _: check_surface(item.source, **named)], self._checked).start()
-
-    def getStandardButtons(self) -> Any:
-        return standard_buttons("Close")
-
-    def isAllowedAlterSelection(self) -> bool:
-        return True
-
-    def reject(self) -> bool:
-        if self._job is not None:
-            self._job.abandon()
-        self.leave_view()
-        return True
+        self._job = Job([lambda _: check_surface(item.source, **named)], self._checked).start()
 
     def leave_view(self) -> None:
         self._overlay.remove()

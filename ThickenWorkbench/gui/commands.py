@@ -6,6 +6,7 @@ Panels are imported when a command runs: activating the workbench must cost next
 
 from __future__ import annotations
 
+from importlib import import_module
 from typing import Any
 
 import FreeCAD as App
@@ -51,6 +52,20 @@ class Command:
         raise NotImplementedError
 
 
+class PanelCommand(Command):
+    """Opens the task panel of the one object that it can use."""
+
+    panel = ("", "")  #: the module here and its class
+
+    def Activated(self) -> None:
+        from . import editing
+
+        module, name = self.panel
+        panel = getattr(import_module(f".{module}", __package__), name)
+        (target,) = self.targets()
+        editing.show(lambda: panel(target))
+
+
 class MakeCommand(Command):
     name = "Thicken_Make"
     icon = "thicken.svg"
@@ -73,7 +88,8 @@ class MakeCommand(Command):
         editing.show(lambda: ThickenPanel(targets))
 
 
-class CheckCommand(Command):
+class CheckCommand(PanelCommand):
+    panel = ("check_panel", "CheckPanel")
     name = "Thicken_Check"
     icon = "check_surface.svg"
     menu = QT_TRANSLATE_NOOP("Thicken_Check", "Check Surface")
@@ -85,13 +101,6 @@ class CheckCommand(Command):
 
     def targets(self) -> list[Any]:
         return chosen.surfaces()[:1]
-
-    def Activated(self) -> None:
-        from . import editing
-        from .check_panel import CheckPanel
-
-        (target,) = self.targets()
-        editing.show(lambda: CheckPanel(target))
 
 
 class RepairCommand(Command):
@@ -113,7 +122,8 @@ class RepairCommand(Command):
         repair([item.source for item in self.targets()])
 
 
-class MapCommand(Command):
+class MapCommand(PanelCommand):
+    panel = ("map_panel", "MapPanel")
     name = "Thicken_Map"
     icon = "thickness_map.svg"
     menu = QT_TRANSLATE_NOOP("Thicken_Map", "Thickness Map")
@@ -129,15 +139,9 @@ class MapCommand(Command):
     def is_usable(self) -> bool:
         return bool(self.targets())
 
-    def Activated(self) -> None:
-        from . import editing
-        from .map_panel import MapPanel
 
-        (target,) = self.targets()
-        editing.show(lambda: MapPanel(target))
-
-
-class DrainCommand(Command):
+class DrainCommand(PanelCommand):
+    panel = ("drain_panel", "DrainPanel")
     name = "Thicken_Drain"
     icon = "drain_holes.svg"
     menu = QT_TRANSLATE_NOOP("Thicken_Drain", "Drain Holes …")
@@ -154,15 +158,9 @@ class DrainCommand(Command):
     def is_usable(self) -> bool:
         return bool(self.targets())
 
-    def Activated(self) -> None:
-        from . import editing
-        from .drain_panel import DrainPanel
 
-        (target,) = self.targets()
-        editing.show(lambda: DrainPanel(target))
-
-
-class ReportCommand(Command):
+class ReportCommand(PanelCommand):
+    panel = ("report_panel", "ReportPanel")
     name = "Thicken_Report"
     icon = "printability.svg"
     menu = QT_TRANSLATE_NOOP("Thicken_Report", "Printability Report …")
@@ -174,13 +172,6 @@ class ReportCommand(Command):
 
     def targets(self) -> list[Any]:
         return chosen.solids()[:1]
-
-    def Activated(self) -> None:
-        from . import editing
-        from .report_panel import ReportPanel
-
-        (target,) = self.targets()
-        editing.show(lambda: ReportPanel(target))
 
 
 class ExportCommand(Command):

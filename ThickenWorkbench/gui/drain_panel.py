@@ -14,14 +14,17 @@ from . import macro, messages
 from .camera import view_of
 from .directions import direction, direction_box
 from .overlay import over_view, points
-from .qt import QtCore, QtWidgets, length_box, standard_buttons
+from .panel import Panel
+from .qt import QtCore, QtWidgets, length_box
 from .view_clicks import ViewClicks
 
 translate = App.Qt.translate
 
 
-class DrainPanel:
-    """Shown by Gui.Control.showDialog(). Nothing is written before OK."""
+class DrainPanel(Panel):
+    """Nothing is written before OK."""
+
+    buttons = ("Ok", "Cancel")
 
     def __init__(self, solid: Any) -> None:
         self.solid = solid
@@ -35,12 +38,6 @@ class DrainPanel:
         self._clicks = ViewClicks(self._view, solid, self._clicked)
 
     # --- what FreeCAD calls ---
-
-    def getStandardButtons(self) -> Any:
-        return standard_buttons("Ok", "Cancel")
-
-    def isAllowedAlterSelection(self) -> bool:
-        return True
 
     def accept(self) -> bool:
         document = self.solid.Document
@@ -59,10 +56,6 @@ class DrainPanel:
             document.abortTransaction()
             return False
         document.commitTransaction()
-        self.leave_view()
-        return True
-
-    def reject(self) -> bool:
         self.leave_view()
         return True
 

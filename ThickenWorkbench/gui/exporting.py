@@ -7,9 +7,9 @@ from pathlib import Path
 from typing import Any
 
 import FreeCAD as App
-import FreeCADGui as Gui
 
 from . import macro, messages
+from .files import ask_target
 from .qt import QtCore, QtWidgets
 
 translate = App.Qt.translate
@@ -44,11 +44,10 @@ def export(obj: Any) -> None:
 
 
 def _ask(obj: Any) -> Path | None:
-    folder = Path(obj.Document.FileName).parent if obj.Document.FileName else Path.home()
-    name, _ = QtWidgets.QFileDialog.getSaveFileName(
-        Gui.getMainWindow(),
+    name = ask_target(
+        obj,
         translate("Thicken", "Export for Printing"),
-        str(folder / f"{obj.Label}.stl"),
+        ".stl",
         translate("Thicken", "For printing (*.stl *.3mf)"),
     )
     if not name:

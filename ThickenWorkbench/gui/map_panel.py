@@ -17,7 +17,8 @@ from .colour_scale import colours
 from .job import Job
 from .legend import Legend
 from .map_scale import ends, shares
-from .qt import QtWidgets, standard_buttons
+from .panel import Panel
+from .qt import QtWidgets
 from .region_colours import paint_plain, paint_points
 
 translate = App.Qt.translate
@@ -28,31 +29,18 @@ WHATS = ["wall", "deviation"]
 _AROUND = 0.1
 
 
-class MapPanel:
-    """Shown by Gui.Control.showDialog(); changes nothing in the document."""
+class MapPanel(Panel):
+    """Changes nothing in the document."""
 
     def __init__(self, feature: Any) -> None:
         self.feature = feature
         self.map: Any = None  #: the ThicknessMap that is shown
-        self._job: Job | None = None
         self.document = feature.Document
         self.objects = [feature]
         self._view = view_of(self.document)
         self._build()
         Gui.Selection.clearSelection()
         self._measure()
-
-    def getStandardButtons(self) -> Any:
-        return standard_buttons("Close")
-
-    def isAllowedAlterSelection(self) -> bool:
-        return True
-
-    def reject(self) -> bool:
-        if self._job is not None:
-            self._job.abandon()
-        self.leave_view()
-        return True
 
     def leave_view(self) -> None:
         self._plain()

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 import FreeCAD as App
@@ -15,9 +14,11 @@ from ..sources import bound_box
 from . import macro, messages
 from .camera import go_to, view_of
 from .directions import direction, direction_box
+from .files import ask_target
 from .job import Job
 from .overlay import over_view, points
-from .qt import QtCore, QtWidgets, length_box, on_value, standard_buttons
+from .panel import Panel
+from .qt import QtCore, QtWidgets, length_box, on_value
 from .report_summary import place_of, summary
 
 translate = App.Qt.translate
@@ -28,13 +29,12 @@ _PAUSE_MS = 300
 _AROUND = 0.15
 
 
-class ReportPanel:
-    """Shown by Gui.Control.showDialog(); changes nothing in the document."""
+class ReportPanel(Panel):
+    """Changes nothing in the document."""
 
     def __init__(self, solid: Any) -> None:
         self.solid = solid
         self.report: Any = None  #: of the inputs that are shown; None while it is computed
-        self._job: Job | None = None
         self._timer = QtCore.QTimer()
         self._timer.setSingleShot(True)
         self._timer.timeout.connect(self._compute)
@@ -46,18 +46,9 @@ class ReportPanel:
         Gui.Selection.clearSelection()
         self._edited()
 
-    def getStandardButtons(self) -> Any:
-        return standard_buttons("Close")
-
-    def isAllowedAlterSelection(self) -> bool:
-        return True
-
     def reject(self) -> bool:
         self._timer.stop()
-        if self._job is not None:
-            self._job.abandon()
-        self.leave_view()
-        return True
+        return super().reject()
 
     def leave_view(self) -> None:
         self._overlay.remove()
@@ -124,11 +115,10 @@ class ReportPanel:
         self.save.setEnabled(True)
 
     def _save(self) -> None:
-        folder = Path(self.solid.Document.FileName).parent if self.solid.Document.FileName else Path.home()
-        name, _ = QtWidgets.QFileDialog.getSaveFileName(
-            Gui.getMainWindow(),
+        name = ask_target(
+            self.solid,
             translate("Thicken", "Save the report"),
-            str(folder / f"{self.solid.Label}.html"),
+            ".html",
             translate("Thicken", "Page with pictures (*.html);;Data (*.json)"),
         )
         if not name:

@@ -23,8 +23,8 @@ from .camera import view_of
 from .chosen import Chosen, is_mesh, is_shape
 from .job import Job
 from .looks import Looks
+from .panel import Panel
 from .preview import Preview
-from .qt import standard_buttons
 from .region_picker import RegionPicker
 from .side_arrow import SideArrow
 from .surfaces import arguments_of, surface_of
@@ -36,8 +36,10 @@ _NAMES = {"thickness": "Thickness", "side": "Side", "method": "Method", "smooth"
           "cell": "Cell", "resolution": "Resolution", "tolerance": "Tolerance", "deflection": "Deflection"}  # fmt: skip
 
 
-class ThickenPanel:
-    """Shown by Gui.Control.showDialog(). With `feature`, that one is edited."""
+class ThickenPanel(Panel):
+    """With `feature`, that one is edited."""
+
+    buttons = ("Ok", "Cancel")
 
     def __init__(self, chosen: list[Chosen], feature: Any = None) -> None:
         self.chosen, self.feature = chosen, feature
@@ -67,12 +69,6 @@ class ThickenPanel:
         self._edited()
 
     # --- what FreeCAD calls ---
-
-    def getStandardButtons(self) -> Any:
-        return standard_buttons("Ok", "Cancel")
-
-    def isAllowedAlterSelection(self) -> bool:
-        return True
 
     def accept(self) -> bool:
         """Compute; the panel closes itself once the features are made."""

@@ -38,8 +38,16 @@ void throwDefects(std::vector<Defect> defects) {
   throw Error(code, sentence, std::move(defects));
 }
 
-void reverse(TriangleMesh& mesh) {
-  for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+// The surface with its negative side where the material is to be.
+TriangleMesh orientedFor(Side side, TriangleMesh surface) {
+  if (side == Side::kPositive)
+    for (Triangle& t : surface.triangles) std::swap(t[1], t[2]);
+  return surface;
+}
+
+// The side of such a surface that is swept.
+Side sweptSide(Side side) {
+  return side == Side::kBoth ? Side::kBoth : Side::kNegative;
 }
 
 // The solid of either method, with what every report says of its run.
@@ -191,8 +199,7 @@ Solid provedOf(std::optional<Solid> better, std::optional<Solid> swept, const Tr
 Solid solidOf(const TriangleMesh& surface, const SurfaceFacts& input, const Options& options,
               RunContext context, int threads, Stopwatch& watch) {
   context.enter(Stage::kSweeping, kChecked, kSwept);
-  TriangleMesh oriented = surface;
-  if (options.side == Side::kPositive) reverse(oriented);
+  const TriangleMesh oriented = orientedFor(options.side, surface);
   const ClosestPointTree tree(oriented);
   watch.lap("tree");
   std::optional<Solid> better, swept;
@@ -200,7 +207,7 @@ Solid solidOf(const TriangleMesh& surface, const SurfaceFacts& input, const Opti
     better = reconstructedSolid(reconstruct(oriented, tree, options, context, threads, watch),
                                 Method::kReconstruct, input, options, threads);
   } else {
-    const Side side = options.side == Side::kBoth ? Side::kBoth : Side::kNegative;
+    const Side side = sweptSide(options.side);
     SweepResult made = sweep(oriented, tree, options.thickness, side, context, threads);
     watch.lap("sweep");
     if (options.method == Method::kAuto && side == Side::kNegative)
@@ -228,10 +235,10 @@ std::vector<VertexId> verticesWithoutRoom(const Error& error) {
 // The vertices of a surface that a sweep finds no room below.
 std::vector<VertexId> trySweep(TriangleMesh surface, const Options& options, const RunContext& context,
                                int threads) {
-  if (options.side == Side::kPositive) reverse(surface);
-  const Side side = options.side == Side::kBoth ? Side::kBoth : Side::kNegative;
+  surface = orientedFor(options.side, std::move(surface));
   try {
-    (void)sweep(surface, ClosestPointTree(surface), options.thickness, side, context, threads, Polish::kNo);
+    (void)sweep(surface, ClosestPointTree(surface), options.thickness, sweptSide(options.side), context,
+                threads, Polish::kNo);
   } catch (const Error& error) {
     const std::vector<VertexId> vertices = verticesWithoutRoom(error);
     if (vertices.empty()) throw;

@@ -7,21 +7,14 @@ The sample is spread over the set by order of names, so that no case was picked.
 from __future__ import annotations
 
 import csv
-import os
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
-CORPUS = Path(os.environ["THICKEN_CORPUS"]).resolve()
-PROGRAM = os.environ["THICKEN_PROGRAM"]
+from corpus_judge import CORPUS, PROGRAM, SKIPPED, judge_or_reason
+
 SAMPLES = [("open", "d1,d4", 12, ".ply"), ("open", "e2.5", 6, ".stl"), ("closed", "d1", 4, ".ply")]
-
-
-def judge() -> str | None:
-    """The path of the judge, built when it can be."""
-    build = subprocess.run([CORPUS / "solidcheck" / "build.sh"], stdout=subprocess.PIPE, text=True)
-    return build.stdout.split()[-1] if build.returncode == 0 and build.stdout.split() else None
 
 
 def run(judge_path: str, folder: str, thicknesses: str, limit: int, suffix: str) -> list[dict]:
@@ -39,13 +32,9 @@ def run(judge_path: str, folder: str, thicknesses: str, limit: int, suffix: str)
 
 
 def main() -> int:
-    if not (CORPUS / "solidcheck" / "build.sh").exists() or not (CORPUS / "bench" / "corpus.py").exists():
-        print(f"skipped: there is no corpus in {CORPUS}")
-        return 77
-    judge_path = judge()
+    judge_path = judge_or_reason(CORPUS / "bench" / "corpus.py")
     if judge_path is None:
-        print("skipped: the judge cannot be built here (it needs libcgal-dev)")
-        return 77
+        return SKIPPED
     wrong = []
     for sample in SAMPLES:
         rows = run(judge_path, *sample)

@@ -8,7 +8,6 @@ usage: test_corpus_repair.py [all] [TEXT]: every file at both thicknesses, not i
 from __future__ import annotations
 
 import json
-import os
 import subprocess
 import sys
 import tempfile
@@ -16,20 +15,14 @@ import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-CORPUS = Path(os.environ["THICKEN_CORPUS"]).resolve()
-PROGRAM = os.environ["THICKEN_PROGRAM"]
+from corpus_judge import CORPUS, PROGRAM, SKIPPED, judge_or_reason
+
 SECONDS = 120
 PERCENT = (1, 3)  # thickness, of the diagonal of the bounding box
 LEAST_SOLVED = 0.95  # of the surfaces that cross themselves
 # What a repair cannot help: there is no mesh, or none within what the numbers of a file can hold.
 BEYOND_REPAIR = {"unreadable", "empty", "not-finite", "degenerate"}
 MOST_REMOVED = 0.5  # of the area: a surface that loses more may be given up as no-solid
-
-
-def judge() -> str | None:
-    """The path of the judge, built when it can be."""
-    build = subprocess.run([CORPUS / "solidcheck" / "build.sh"], stdout=subprocess.PIPE, text=True)
-    return build.stdout.split()[-1] if build.returncode == 0 and build.stdout.split() else None
 
 
 def read_json(path: Path) -> dict:
@@ -78,13 +71,9 @@ def case(judge_path: str, path: Path, percent: float) -> dict:
 
 
 def main() -> int:
-    if not (CORPUS / "solidcheck" / "build.sh").exists() or not (CORPUS / "data" / "bad").is_dir():
-        print(f"skipped: there is no corpus in {CORPUS}")
-        return 77
-    judge_path = judge()
+    judge_path = judge_or_reason(CORPUS / "data" / "bad")
     if judge_path is None:
-        print("skipped: the judge cannot be built here (it needs libcgal-dev)")
-        return 77
+        return SKIPPED
     arguments = sys.argv[1:]
     every = "all" in arguments[:1]
     only = "".join(arguments[every:])

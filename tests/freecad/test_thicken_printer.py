@@ -10,7 +10,7 @@ import numpy as np
 
 import ThickenWorkbench
 from thicken_case import DocumentCase
-from thicken_judge import independent_judge
+from thicken_judge import assert_judged_solid
 from test_thicken_printing import hollow_box
 
 CLOSED = Path(__file__).resolve().parents[3] / "shared" / "data" / "closed"
@@ -35,13 +35,6 @@ class FromPartToPrinter(DocumentCase):
         ThickenWorkbench.export_for_printing(drained, written)
         return written
 
-    def judge(self, path):
-        program = independent_judge()
-        if program is None:
-            self.skipTest("no solidcheck: set SOLIDCHECK to its path")
-        run = subprocess.run([program, "solid", path], capture_output=True, text=True)
-        self.assertEqual(run.returncode, 0, run.stdout)
-
     def slice(self, path):
         program = shutil.which("prusa-slicer")
         if program is None:
@@ -63,13 +56,13 @@ class FromPartToPrinter(DocumentCase):
         drained = ThickenWorkbench.make_drain_holes(self.doc, hollow_box(self), 4, count=2)
         path = self.folder / "box.stl"
         ThickenWorkbench.export_for_printing(drained, path)
-        self.judge(path)
+        assert_judged_solid(self, path)
         self.slice(path)
 
     def test_bunny(self):
         path = self.exported("igltut_bunny")
-        self.judge(path)
+        assert_judged_solid(self, path)
         self.slice(path)
 
     def test_hand(self):
-        self.judge(self.exported("gel_hand"))
+        assert_judged_solid(self, self.exported("gel_hand"))

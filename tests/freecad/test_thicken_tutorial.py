@@ -8,8 +8,8 @@ import zipfile
 from pathlib import Path
 
 import ThickenWorkbench
-import thicken_judge
 from thicken_case import DocumentCase
+from thicken_judge import assert_judged_solid
 
 DATA = Path(__file__).resolve().parents[2] / "examples" / "data"
 
@@ -17,13 +17,6 @@ DATA = Path(__file__).resolve().parents[2] / "examples" / "data"
 class Tutorial(DocumentCase):
     def read(self, name):
         return self.add_source(ThickenWorkbench.read_mesh(DATA / name), Path(name).stem)
-
-    def judge(self, path):
-        program = thicken_judge.independent_judge()
-        if program is None:
-            self.skipTest("no solidcheck: set SOLIDCHECK to its path")
-        run = subprocess.run([program, "solid", path], capture_output=True, text=True)
-        self.assertEqual(run.returncode, 0, run.stdout)
 
     def slice(self, path):
         program = shutil.which("prusa-slicer")
@@ -51,7 +44,7 @@ class Tutorial(DocumentCase):
         self.assert_solid(jacket)
         path = self.folder / "jacket.stl"
         ThickenWorkbench.export_for_printing(jacket, path)
-        self.judge(path)
+        assert_judged_solid(self, path)
         self.slice(path)
 
     def test_a_hollow_pawn(self):
@@ -65,5 +58,5 @@ class Tutorial(DocumentCase):
         self.assertEqual(ThickenWorkbench.printability(drained)["trapped"], [])
         path = self.folder / "pawn.stl"
         ThickenWorkbench.export_for_printing(drained, path)
-        self.judge(path)
+        assert_judged_solid(self, path)
         self.slice(path)

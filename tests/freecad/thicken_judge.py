@@ -62,6 +62,15 @@ def independent_judge() -> str | None:
     return built.stdout.strip() if built.returncode == 0 else None
 
 
+def assert_judged_solid(case, path) -> None:
+    """Fail `case` unless the judge finds a solid in the file; skip it where there is no judge."""
+    program = independent_judge()
+    if program is None:
+        case.skipTest("no solidcheck: set SOLIDCHECK to its path")
+    run = subprocess.run([program, "solid", path], capture_output=True, text=True)
+    case.assertEqual(run.returncode, 0, run.stdout)
+
+
 def judgement(program: str, surface: Path, solid: Path, thickness: float, side: str) -> tuple[int, dict]:
     """Exit status (0: every hard property holds) and facts of `solidcheck thicken`."""
     run = subprocess.run(

@@ -6,26 +6,16 @@
 #include <limits>
 #include <numeric>
 
+#include "mesh/bounds.h"
+
 namespace thicken {
 
 namespace {
 
-struct Box {
-  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
-  Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity());
-  void add(const Vec3& p) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  void add(const Box& b) {
-    low = low.cwiseMin(b.low);
-    high = high.cwiseMax(b.high);
-  }
-  [[nodiscard]] double halfArea() const {
-    const Vec3 d = high - low;
-    return d.x() * d.y() + d.y() * d.z() + d.z() * d.x();
-  }
-};
+double halfArea(const Bounds& b) {
+  const Vec3 d = b.high - b.low;
+  return d.x() * d.y() + d.y() * d.z() + d.z() * d.x();
+}
 
 // Axes of a box around triangles: their mean normal, then the direction of their greatest spread.
 struct Frame {
@@ -58,17 +48,17 @@ struct DistanceTree::Builder {
   DistanceTree& tree;
   std::span<const Vec3> positions;
   std::span<const Triangle> triangles;
-  std::vector<Box> boxes;
+  std::vector<Bounds> boxes;
   std::vector<Vec3> middles;
   double slack = 0;
 
   struct Range {
     std::uint32_t begin, end;
-    Box box;
+    Bounds box;
   };
 
-  [[nodiscard]] Box boxOf(std::uint32_t begin, std::uint32_t end) const {
-    Box b;
+  [[nodiscard]] Bounds boxOf(std::uint32_t begin, std::uint32_t end) const {
+    Bounds b;
     for (std::uint32_t i = begin; i < end; ++i) b.add(boxes[tree.order_[i]]);
     return b;
   }
@@ -132,7 +122,7 @@ struct DistanceTree::Builder {
   // The place to split a range; triangles of the range are reordered around it.
   std::uint32_t split(const Range& r, int depth) {
     if (depth > kDeepest) return (r.begin + r.end) / 2;
-    Box middle;
+    Bounds middle;
     for (std::uint32_t i = r.begin; i < r.end; ++i) middle.add(middles[tree.order_[i]]);
     int axis = 0;
     const double extent = (middle.high - middle.low).maxCoeff(&axis);
@@ -140,7 +130,7 @@ struct DistanceTree::Builder {
     const auto end = tree.order_.begin() + r.end;
     if (extent > 0) {
       constexpr int kBins = 16;
-      Box bin[kBins];
+      Bounds bin[kBins];
       std::uint32_t count[kBins] = {};
       const double scale = kBins / extent;
       const double low = middle.low[axis];
@@ -153,14 +143,14 @@ struct DistanceTree::Builder {
         ++count[b];
       }
       double rightCost[kBins] = {};
-      Box box;
+      Bounds box;
       std::uint32_t n = 0;
       for (int b = kBins - 1; b > 0; --b) {
         box.add(bin[b]);
         n += count[b];
-        rightCost[b] = n ? n * box.halfArea() : 0;
+        rightCost[b] = n ? n * halfArea(box) : 0;
       }
-      box = Box();
+      box = Bounds();
       n = 0;
       double best = std::numeric_limits<double>::infinity();
       int bestBin = -1;
@@ -168,7 +158,7 @@ struct DistanceTree::Builder {
         if (count[b]) box.add(bin[b]);
         n += count[b];
         if (n == 0 || n == r.end - r.begin) continue;
-        const double cost = n * box.halfArea() + rightCost[b + 1];
+        const double cost = n * halfArea(box) + rightCost[b + 1];
         if (cost < best) {
           best = cost;
           bestBin = b;
@@ -207,8 +197,8 @@ struct DistanceTree::Builder {
       std::size_t widest = parts.size();
       double area = -1;
       for (std::size_t i = 0; i < parts.size(); ++i) {
-        if (parts[i].end - parts[i].begin <= kLeafSize || parts[i].box.halfArea() <= area) continue;
-        area = parts[i].box.halfArea();
+        if (parts[i].end - parts[i].begin <= kLeafSize || halfArea(parts[i].box) <= area) continue;
+        area = halfArea(parts[i].box);
         widest = i;
       }
       if (widest == parts.size()) break;
@@ -242,9 +232,9 @@ DistanceTree::DistanceTree(std::span<const Vec3> positions, std::span<const Tria
   Builder builder{*this, positions, triangles, {}, {}, 0};
   builder.boxes.reserve(triangles.size());
   builder.middles.reserve(triangles.size());
-  Box whole;
+  Bounds whole;
   for (const Triangle& t : triangles) {
-    Box b;
+    Bounds b;
     for (const VertexId v : t) b.add(positions[v]);
     whole.add(b);
     builder.boxes.push_back(b);
@@ -298,7 +288,7 @@ bool DistanceTree::nearest(const Vec3& p, Hit& hit) const {
   if (nodes_.empty()) return false;
   const Vec3 q = p - centre_;
   const float x = static_cast<float>(q.x()), y = static_cast<float>(q.y()), z = static_cast<float>(q.z());
-  // Box distances carry the rounding of float products and sums, and axes that are orthonormal in
+  // Bounds distances carry the rounding of float products and sums, and axes that are orthonormal in
   // floats only; 1e-5 covers it many times over.
   constexpr float kShrink = 1 - 1e-5f;
   struct Entry {

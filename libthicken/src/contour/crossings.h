@@ -25,6 +25,11 @@ struct Crossing {
   bool placed = false;
 };
 
+/// The order of crossings: by edge, then along it.
+[[nodiscard]] inline bool inOrder(const Crossing& a, const Crossing& b) {
+  return a.edge != b.edge ? a.edge < b.edge : a.from < b.from;
+}
+
 /// Appends the crossings of the edge between the nodes `low` and `high` (numbers in `field`), in order.
 void crossEdge(const UniformGrid& grid, const NodeField& field, std::uint64_t edge, std::uint32_t low,
                std::uint32_t high, std::span<const SurfaceCrossing> carrier, std::vector<Crossing>& out);

@@ -29,9 +29,7 @@ class Follower {
     for (const GridIndex& cell : seeds)
       if (!crossed_.contains(UniformGrid::key(cell))) enterNeighbours(cell);
     follow();
-    std::sort(found_.begin(), found_.end(), [](const Crossing& a, const Crossing& b) {
-      return a.edge != b.edge ? a.edge < b.edge : a.from < b.from;
-    });
+    std::sort(found_.begin(), found_.end(), inOrder);
     return std::move(found_);
   }
 

@@ -9,6 +9,7 @@
 #include "exact/float_box.h"
 #include "exact/predicates.h"
 #include "exact/triangle_pair.h"
+#include "mesh/sort_unique.h"
 #include "parallel_for.h"
 
 namespace thicken::exact {
@@ -94,8 +95,7 @@ std::vector<TrianglePair> sortedUnion(std::vector<std::vector<TrianglePair>>& pa
   std::vector<TrianglePair> all;
   all.reserve(total);
   for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
+  sortUnique(all);
   return all;
 }
 
@@ -342,8 +342,7 @@ void BoxTree::refit(std::span<const Vec3> positions, std::span<const Triangle> t
     impl_->leaves[slot / kLeafSize].set(slot % kLeafSize, geometry.box(t));
     dirty.push_back(slot / kLeafSize);
   }
-  std::sort(dirty.begin(), dirty.end());
-  dirty.erase(std::unique(dirty.begin(), dirty.end()), dirty.end());
+  sortUnique(dirty);
   if (!dirty.empty()) impl_->fitBelow(impl_->root(), dirty);
 }
 

@@ -16,6 +16,10 @@ struct Bounds {
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
+  void add(const Bounds& b) {
+    low = low.cwiseMin(b.low);
+    high = high.cwiseMax(b.high);
+  }
 };
 
 /// Of the vertices that triangles use.

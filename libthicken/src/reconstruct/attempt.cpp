@@ -6,6 +6,7 @@
 
 #include "measure/stopwatch.h"
 #include "mesh/half_edges.h"
+#include "mesh/sort_unique.h"
 #include "parallel_for.h"
 #include "reconstruct/loose_parts.h"
 #include "reconstruct/shape.h"
@@ -56,8 +57,7 @@ bool Attempt::liftWalls(std::span<const TriangleId> meeting) {
   for (const TriangleId t : meeting)
     for (const VertexId v : assembly_.mesh.triangles[t])
       if (v >= surface_.positions.size() && v < swept_.mesh.positions.size()) ids.push_back(v);
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  sortUnique(ids);
   return walls_.lift(ids, kStep * width_);
 }
 
@@ -72,8 +72,7 @@ std::vector<TriangleId> Attempt::crowdedTriangles() const {
       for (const HalfEdge& use : uses)
         if (use.triangle() >= assembly_.carrierTriangles) crowded.push_back(use.triangle());
   });
-  std::sort(crowded.begin(), crowded.end());
-  crowded.erase(std::unique(crowded.begin(), crowded.end()), crowded.end());
+  sortUnique(crowded);
   return crowded;
 }
 

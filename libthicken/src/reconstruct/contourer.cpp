@@ -129,9 +129,7 @@ void Contourer::recall(std::vector<Crossing>& crossings) const {
   constexpr double kSure = 1.01;
   parallelFor(crossings.size(), threads_, context_, 256, [&](std::size_t i) {
     Crossing& c = crossings[i];
-    auto old = std::lower_bound(last_.begin(), last_.end(), c, [](const Crossing& a, const Crossing& b) {
-      return a.edge != b.edge ? a.edge < b.edge : a.from < b.from;
-    });
+    const auto old = std::lower_bound(last_.begin(), last_.end(), c, inOrder);
     if (old == last_.end() || old->edge != c.edge || old->from != c.from || old->to != c.to ||
         old->jump != c.jump)
       return;

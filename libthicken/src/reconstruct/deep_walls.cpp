@@ -2,11 +2,11 @@
 #include "reconstruct/deep_walls.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "exact/box_tree.h"
 #include "exact/predicates.h"
 #include "mesh/float_lattice.h"
+#include "mesh/sort_unique.h"
 #include "parallel_for.h"
 
 namespace thicken {
@@ -36,33 +36,43 @@ DeepWalls::DeepWalls(const TriangleMesh& surface, const ClosestPointTree& tree, 
       thickness_(thickness),
       context_(context),
       threads_(threads),
-      base_(swept.mesh.positions.size(), kNone),
+      lifts_(swept.mesh.positions.size(), 0),
+      base_(lifts_.size(), kNone),
       way_(base_.size(), 0),
       share_(base_.size(), 0),
       at_(swept.mesh.positions) {
-  std::vector<VertexId> low;
-  for (std::size_t t = 0; t < swept.region.size(); ++t)
-    if (swept.region[t] == Region::kWall)
-      for (const VertexId v : swept.mesh.triangles[t])
-        if (v >= surface.positions.size() && base_[v] == kNone) {
-          base_[v] = swept.base[v];
-          low.push_back(v);
-        }
-  parallelFor(low.size(), threads, context, 64, [&](std::size_t i) {
-    way_[low[i]] = deepest(low[i], base_[low[i]]);
-    share_[low[i]] = 1;
+  listBottom();
+  parallelFor(low_.size(), threads, context, 64, [&](std::size_t i) {
+    way_[low_[i]] = deepest(low_[i], base_[low_[i]]);
+    share_[low_[i]] = 1;
   });
   limitSlope();
-  for (const VertexId v : low) place(v);
-  for (int i = 0; i < kShortenings; ++i) shorten(low);
+  placeAll();
+  for (int i = 0; i < kShortenings; ++i) shorten();
+}
+
+void DeepWalls::listBottom() {
+  std::vector<Triangle> walls;
+  for (std::size_t t = 0; t < swept_.region.size(); ++t)
+    if (swept_.region[t] == Region::kWall) walls.push_back(swept_.mesh.triangles[t]);
+  for (const Triangle& wall : walls)
+    for (const VertexId v : wall)
+      if (v >= surface_.positions.size() && base_[v] == kNone) {
+        base_[v] = swept_.base[v];
+        low_.push_back(v);
+      }
+  for (const Triangle& wall : walls)
+    for (int k = 0; k < 3; ++k) {
+      const VertexId a = wall[k], b = wall[(k + 1) % 3];
+      if (base_[a] != kNone && base_[b] != kNone) bottomEdges_.push_back({a, b});
+    }
 }
 
 // Draws back what reaches deeper than the shell, in its vertices or half-way between two of them: the
 // contour would have to turn around there.
-void DeepWalls::shorten(std::span<const VertexId> low) {
-  std::vector<std::array<VertexId, 2>> spans;
-  for (const auto& [a, b] : bottomEdges()) spans.push_back({a, b});
-  for (const VertexId v : low) spans.push_back({v, v});
+void DeepWalls::shorten() {
+  std::vector<std::array<VertexId, 2>> spans = bottomEdges_;
+  for (const VertexId v : low_) spans.push_back({v, v});
   std::vector<double> share(spans.size(), 1);
   parallelFor(spans.size(), threads_, context_, 64, [&](std::size_t i) {
     const double d = tree_.distance((at_[spans[i][0]] + at_[spans[i][1]]) / 2);
@@ -71,23 +81,11 @@ void DeepWalls::shorten(std::span<const VertexId> low) {
   std::vector<double> least(way_.size(), 1);
   for (std::size_t i = 0; i < spans.size(); ++i)
     for (const VertexId v : spans[i]) least[v] = std::min(least[v], share[i]);
-  for (const VertexId v : low) {
+  for (const VertexId v : low_) {
     if (least[v] == 1) continue;
     way_[v] *= least[v];
     place(v);
   }
-}
-
-// Edges between lower vertices of the walls that one wall triangle has.
-std::vector<std::array<VertexId, 2>> DeepWalls::bottomEdges() const {
-  std::vector<std::array<VertexId, 2>> edges;
-  for (std::size_t t = 0; t < swept_.region.size(); ++t)
-    if (swept_.region[t] == Region::kWall)
-      for (int k = 0; k < 3; ++k) {
-        const VertexId a = swept_.mesh.triangles[t][k], b = swept_.mesh.triangles[t][(k + 1) % 3];
-        if (base_[a] != kNone && base_[b] != kNone) edges.push_back({a, b});
-      }
-  return edges;
 }
 
 // How far the copy of `base` may go on in its direction and still gain distance, up to r.
@@ -113,10 +111,9 @@ double DeepWalls::deepest(VertexId low, VertexId base) const {
 }
 
 void DeepWalls::limitSlope() {
-  const auto links = bottomEdges();
   for (bool changed = true; changed;) {
     changed = false;
-    for (const auto& [a, b] : links) {
+    for (const auto& [a, b] : bottomEdges_) {
       const double slack = kSlope * (surface_.positions[base_[a]] - surface_.positions[base_[b]]).norm();
       for (const auto& [low, high] : {std::pair{a, b}, std::pair{b, a}}) {
         const double most = way_[low] + slack;
@@ -135,8 +132,11 @@ void DeepWalls::place(VertexId v) {
   at_[v] = share_[v] == 0 ? there : roundToFloat(there + share_[v] * (way_[v] - way) / way * (there - from));
 }
 
+void DeepWalls::placeAll() {
+  for (const VertexId v : low_) place(v);
+}
+
 bool DeepWalls::lift(std::span<const VertexId> vertices, double step) {
-  lifts_.resize(way_.size(), 0);
   bool any = false;
   for (const VertexId v : vertices) {
     if (v >= base_.size() || base_[v] == kNone || lifts_[v] == kMostLifts || !(way_[v] > 2 * step)) continue;
@@ -146,8 +146,7 @@ bool DeepWalls::lift(std::span<const VertexId> vertices, double step) {
   }
   if (!any) return false;
   limitSlope();
-  for (VertexId v = 0; v < base_.size(); ++v)
-    if (base_[v] != kNone) place(v);
+  placeAll();
   return true;
 }
 
@@ -184,19 +183,15 @@ void DeepWalls::fit(std::span<const std::uint8_t> keep) {
     for (const TriangleId t : bad)
       for (const VertexId v : triangles[t])
         if (base_[v] != kNone && share_[v] > 0) drawn.push_back(v);
-    std::sort(drawn.begin(), drawn.end());
-    drawn.erase(std::unique(drawn.begin(), drawn.end()), drawn.end());
+    sortUnique(drawn);
     for (const VertexId v : drawn) {
       share_[v] = round + 1 >= kHalvings ? 0 : share_[v] / 2;
       place(v);
     }
   }
   // What still meets is left to the sweep, all of whose triangles are clear of each other.
-  for (VertexId v = 0; v < base_.size(); ++v)
-    if (base_[v] != kNone) {
-      share_[v] = 0;
-      place(v);
-    }
+  for (const VertexId v : low_) share_[v] = 0;
+  placeAll();
 }
 
 }  // namespace thicken

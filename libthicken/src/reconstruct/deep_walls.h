@@ -30,10 +30,11 @@ class DeepWalls {
 
  private:
   [[nodiscard]] double deepest(VertexId low, VertexId base) const;
-  [[nodiscard]] std::vector<std::array<VertexId, 2>> bottomEdges() const;
+  void listBottom();
   void limitSlope();
-  void shorten(std::span<const VertexId> low);
+  void shorten();
   void place(VertexId v);
+  void placeAll();
 
   const TriangleMesh& surface_;
   const ClosestPointTree& tree_;
@@ -41,8 +42,10 @@ class DeepWalls {
   double thickness_;
   const RunContext& context_;
   int threads_;
-  std::vector<std::uint8_t> lifts_;
   bool fitted_ = false;
+  std::vector<VertexId> low_;                         ///< lower vertices of the walls
+  std::vector<std::array<VertexId, 2>> bottomEdges_;  ///< between two of them that one wall triangle has
+  std::vector<std::uint8_t> lifts_;
   std::vector<VertexId> base_;  ///< per vertex of the sweep; kNone: does not move
   std::vector<double> way_;     ///< mm from the base, at full share
   std::vector<double> share_;   ///< of the way beyond the sweep's

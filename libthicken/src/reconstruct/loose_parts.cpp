@@ -8,8 +8,28 @@
 
 namespace thicken {
 
-// Removes closed pieces of the contour that are but a few cells large: islands and cavities where
-// the field is finer than the grid. Every part of the solid hangs together with S.
+namespace {
+
+void dropParts(Assembly& assembly, const Components& parts, std::span<const std::uint8_t> drop) {
+  std::size_t kept = 0, keptOfCarrier = 0;
+  for (std::size_t t = 0; t < parts.ofTriangle.size(); ++t) {
+    if (drop[parts.ofTriangle[t]]) continue;
+    assembly.mesh.triangles[kept] = assembly.mesh.triangles[t];
+    assembly.region[kept] = assembly.region[t];
+    if (t < assembly.carrierTriangles)
+      ++keptOfCarrier;
+    else
+      assembly.crossing[kept - keptOfCarrier] = assembly.crossing[t - assembly.carrierTriangles];
+    ++kept;
+  }
+  assembly.mesh.triangles.resize(kept);
+  assembly.region.resize(kept);
+  assembly.crossing.resize(kept - keptOfCarrier);
+  assembly.carrierTriangles = keptOfCarrier;
+}
+
+}  // namespace
+
 void dropSpecks(Assembly& assembly, double width) {
   constexpr double kSpeck = 8;  // cells
   const Components parts = componentsOf(assembly.mesh.positions.size(), assembly.mesh.triangles);
@@ -20,23 +40,12 @@ void dropSpecks(Assembly& assembly, double width) {
     for (const VertexId v : assembly.mesh.triangles[t])
       bounds[parts.ofTriangle[t]].add(assembly.mesh.positions[v]);
   }
-  std::size_t kept = 0;
-  for (std::size_t t = 0; t < parts.ofTriangle.size(); ++t) {
-    const std::uint32_t part = parts.ofTriangle[t];
-    if (!hangs[part] && (bounds[part].high - bounds[part].low).norm() < kSpeck * width) continue;
-    assembly.mesh.triangles[kept] = assembly.mesh.triangles[t];
-    assembly.region[kept] = assembly.region[t];
-    if (t >= assembly.carrierTriangles)
-      assembly.crossing[kept - assembly.carrierTriangles] = assembly.crossing[t - assembly.carrierTriangles];
-    ++kept;
-  }
-  assembly.mesh.triangles.resize(kept);
-  assembly.region.resize(kept);
-  assembly.crossing.resize(kept - assembly.carrierTriangles);
+  std::vector<std::uint8_t> drop(parts.count, 0);
+  for (std::uint32_t part = 0; part < parts.count; ++part)
+    drop[part] = !hangs[part] && (bounds[part].high - bounds[part].low).norm() < kSpeck * width;
+  dropParts(assembly, parts, drop);
 }
 
-// Removes closed pieces of a contour without meetings that turned inside out when they were shaped, or
-// that float in nothing: exact, by where their lowest vertex lies.
 void dropMisplaced(Assembly& assembly, int threads) {
   const TriangleMesh& mesh = assembly.mesh;
   const Components parts = componentsOf(mesh.positions.size(), mesh.triangles);
@@ -50,16 +59,7 @@ void dropMisplaced(Assembly& assembly, int threads) {
   for (std::uint32_t part = 0; part < parts.count; ++part)
     drop[part] = !hangs[part] && facesOutward(mesh, edges, lowest[part]) ==
                                      insideOddNumber(mesh, tree, parts, lowest[part], part);
-  std::size_t kept = 0;
-  for (std::size_t t = 0; t < parts.ofTriangle.size(); ++t) {
-    if (drop[parts.ofTriangle[t]]) continue;
-    assembly.mesh.triangles[kept] = assembly.mesh.triangles[t];
-    assembly.region[kept] = assembly.region[t];
-    ++kept;
-  }
-  assembly.mesh.triangles.resize(kept);
-  assembly.region.resize(kept);
-  assembly.crossing.clear();  // nothing is moved any more
+  dropParts(assembly, parts, drop);
 }
 
 }  // namespace thicken

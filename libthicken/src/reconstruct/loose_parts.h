@@ -12,7 +12,7 @@ namespace thicken {
 void dropSpecks(Assembly& assembly, double width);
 
 /// Removes pieces of a contour without meetings that turned inside out when they were shaped, or that
-/// float in nothing: exact, by where their lowest vertex lies. Crossings are no longer told after it.
+/// float in nothing: exact, by where their lowest vertex lies.
 void dropMisplaced(Assembly& assembly, int threads);
 
 }  // namespace thicken

@@ -26,6 +26,14 @@ constexpr int kMostRefinements = 16, kMostYields = 12;
 // Reach of a refinement in cells, and its growth from one to the next, so that they end.
 constexpr double kFirstReach = 0.5, kReachGrowth = 1.4;
 
+// The triangles of `shell` within `reach` mm of the box around a triangle.
+std::vector<TriangleId> shellNear(const exact::BoxTree& shell, const TriangleMesh& mesh, TriangleId t,
+                                  double reach) {
+  Bounds b;
+  for (const VertexId v : mesh.triangles[t]) b.add(mesh.positions[v]);
+  return shell.near(b.low - Vec3::Constant(reach), b.high + Vec3::Constant(reach));
+}
+
 // Marks the sweep's shell near the triangles that meet, first near, then farther, until there is
 // something new. Returns whether there was.
 bool refine(const SweepResult& swept, const exact::BoxTree& shell, const Assembly& assembly,
@@ -36,9 +44,7 @@ bool refine(const SweepResult& swept, const exact::BoxTree& shell, const Assembl
   for (double reach = first; reach < kFarthest * width && !any; reach *= 2)
     for (const TriangleId t : meeting) {
       if (t < assembly.carrierTriangles) continue;
-      Bounds b;
-      for (const VertexId v : assembly.mesh.triangles[t]) b.add(assembly.mesh.positions[v]);
-      for (const TriangleId s : shell.near(b.low - Vec3::Constant(reach), b.high + Vec3::Constant(reach))) {
+      for (const TriangleId s : shellNear(shell, assembly.mesh, t, reach)) {
         any |= keep[s] == 0;
         keep[s] = 1;
       }
@@ -59,16 +65,13 @@ bool yield(const SweepResult& swept, const exact::BoxTree& shell, const Assembly
            std::span<const TriangleId> meeting, double reach, std::vector<std::uint8_t>& yielded,
            std::vector<std::uint8_t>& keep) {
   bool any = false;
-  for (const TriangleId t : meeting) {
-    Bounds b;
-    for (const VertexId v : assembly.mesh.triangles[t]) b.add(assembly.mesh.positions[v]);
-    for (const TriangleId s : shell.near(b.low - Vec3::Constant(reach), b.high + Vec3::Constant(reach))) {
+  for (const TriangleId t : meeting)
+    for (const TriangleId s : shellNear(shell, assembly.mesh, t, reach)) {
       if (yielded[s]) continue;
       yielded[s] = 1;
       any |= keep[s] != 0;
       keep[s] = 0;
     }
-  }
   if (any) separateFans(swept, keep);
   return any;
 }
@@ -82,8 +85,7 @@ bool yield(const SweepResult& swept, const exact::BoxTree& shell, const Assembly
   d.place = p;
   d.sentence = fmt::format(
       "the reconstructed surface meets itself near ({:.6g}, {:.6g}, {:.6g}); a smaller cell width may tell "
-      "the "
-      "sheets apart there",
+      "the sheets apart there",
       p.x(), p.y(), p.z());
   const std::string sentence = d.sentence;
   throw Error(ErrorCode::kNoSolid, sentence, {std::move(d)});
@@ -140,10 +142,10 @@ Reconstruction finish(const Assembly& assembly, const TriangleMesh& surface, con
   return result;
 }
 
-// Attempts until nothing meets: walls that are in the way are drawn back, and where that does not help the
-// sweep's own shell is kept.
+// Attempts until nothing meets, `area` mm² being contoured: walls that are in the way are drawn back, and
+// where that does not help the sweep's own shell is kept.
 Reconstruction complete(const TriangleMesh& surface, const ClosestPointTree& tree, const SweepResult& swept,
-                        std::vector<std::uint8_t> keep, double width, const Options& options,
+                        std::vector<std::uint8_t> keep, double area, double width, const Options& options,
                         const RunContext& context, int threads, Stopwatch& watch) {
   separateFans(swept, keep);
   std::vector<std::uint8_t> isShell(keep.size());
@@ -159,6 +161,7 @@ Reconstruction complete(const TriangleMesh& surface, const ClosestPointTree& tre
                                      depths(surface, tree, options.thickness, context, threads));
       result.rounds = round;
       result.cell = width;
+      result.predicted = fieldBytes(area, width);
       return result;
     }
     const bool lifted = attempt.liftWalls(meeting);
@@ -188,29 +191,43 @@ double errorToLeave(const Options& options) {
   return std::clamp(*options.tolerance / (2 * options.thickness), kFinest, kEnough);
 }
 
-// The sweep without those triangles of its shell that are farther from the thickness than `error` · r.
-std::vector<std::uint8_t> exactPart(const SweepResult& swept, const ClosestPointTree& tree, double r,
-                                    double error, const RunContext& context, int threads) {
-  std::vector<std::uint8_t> keep(swept.mesh.triangles.size(), 1);
-  const auto off = [&](double d) { return std::abs(d - r) > error * r; };
-  parallelFor(keep.size(), threads, context, 256, [&](std::size_t t) {
+// How far each triangle of the sweep's shell is from the thickness, mm, in its corners and its middle; 0 for
+// others. Where corners alone are farther than any contour is left for, the middle is not looked at.
+std::vector<double> shellErrors(const SweepResult& swept, const ClosestPointTree& tree, double r,
+                                const RunContext& context, int threads) {
+  constexpr double kMost = kCellError / 4;  // cells are below r/2
+  std::vector<double> error(swept.mesh.triangles.size(), 0);
+  parallelFor(error.size(), threads, context, 256, [&](std::size_t t) {
     if (swept.region[t] != Region::kShell) return;
     Vec3 middle = Vec3::Zero();
     for (const VertexId v : swept.mesh.triangles[t]) {
-      if (off(swept.distance[v])) keep[t] = 0;
+      error[t] = std::max(error[t], std::abs(swept.distance[v] - r));
       middle += swept.mesh.positions[v] / 3;
     }
-    if (keep[t] && off(tree.distance(middle))) keep[t] = 0;
+    if (error[t] <= kMost * r) error[t] = std::max(error[t], std::abs(tree.distance(middle) - r));
   });
-  return keep;
+  return error;
 }
 
-double areaWithout(const SweepResult& swept, std::span<const std::uint8_t> keep) {
-  TriangleMesh rest;
-  rest.positions = swept.mesh.positions;
-  for (std::size_t t = 0; t < keep.size(); ++t)
-    if (!keep[t]) rest.triangles.push_back(swept.mesh.triangles[t]);
-  return areaOf(rest);
+// What a contour is to replace: the part of the sweep's shell that is off by more than `error` mm.
+struct Plan {
+  std::vector<std::uint8_t> keep;  ///< per triangle of the sweep
+  double area = 0;                 ///< of the rest, mm²
+  double width = 0;                ///< of the cells for it, mm
+  [[nodiscard]] bool keepsAll() const { return std::find(keep.begin(), keep.end(), 0) == keep.end(); }
+};
+
+Plan planFor(const TriangleMesh& surface, const SweepResult& swept, std::span<const double> errors,
+             double error, const Options& options) {
+  Plan plan;
+  TriangleMesh rest{swept.mesh.positions, {}};
+  for (std::size_t t = 0; t < errors.size(); ++t) {
+    plan.keep.push_back(errors[t] <= error);
+    if (!plan.keep[t]) rest.triangles.push_back(swept.mesh.triangles[t]);
+  }
+  plan.area = areaOf(rest);
+  if (!rest.triangles.empty()) plan.width = cellWidth(surface, plan.area, options);
+  return plan;
 }
 
 }  // namespace
@@ -224,32 +241,23 @@ Reconstruction reconstruct(const TriangleMesh& surface, const ClosestPointTree& 
   watch.lap("sweep");
   std::vector<std::uint8_t> keep(swept.mesh.triangles.size());
   for (std::size_t t = 0; t < keep.size(); ++t) keep[t] = swept.region[t] != Region::kShell;
-  Reconstruction made =
-      complete(surface, tree, swept, std::move(keep), width, options, context, threads, watch);
-  made.predicted = fieldBytes(area, width);
-  return made;
+  return complete(surface, tree, swept, std::move(keep), area, width, options, context, threads, watch);
 }
 
 std::optional<Reconstruction> deepen(const TriangleMesh& surface, const ClosestPointTree& tree,
                                      const SweepResult& swept, const Options& options,
                                      const RunContext& context, int threads, Stopwatch& watch) {
   const double r = options.thickness, finest = errorToLeave(options);
-  std::vector<std::uint8_t> keep = exactPart(swept, tree, r, finest, context, threads);
-  if (std::find(keep.begin(), keep.end(), 0) == keep.end()) return std::nullopt;
-  double area = areaWithout(swept, keep), width = cellWidth(surface, area, options);
+  const std::vector<double> errors = shellErrors(swept, tree, r, context, threads);
+  Plan plan = planFor(surface, swept, errors, finest * r, options);
+  if (plan.keepsAll()) return std::nullopt;
   // Wider cells are no better than a sweep that is off by as much.
-  const double error = kCellError * width * width / (r * r);
-  if (error > finest) {
-    keep = exactPart(swept, tree, r, error, context, threads);
-    if (std::find(keep.begin(), keep.end(), 0) == keep.end()) return std::nullopt;
-    area = areaWithout(swept, keep);
-    width = cellWidth(surface, area, options);
-  }
-  requireRoomForField(surface, area, r, width, context);
-  Reconstruction made =
-      complete(surface, tree, swept, std::move(keep), width, options, context, threads, watch);
-  made.predicted = fieldBytes(area, width);
-  return made;
+  const double error = kCellError * plan.width * plan.width / (r * r);
+  if (error > finest) plan = planFor(surface, swept, errors, error * r, options);
+  if (plan.keepsAll()) return std::nullopt;
+  requireRoomForField(surface, plan.area, r, plan.width, context);
+  return complete(surface, tree, swept, std::move(plan.keep), plan.area, plan.width, options, context,
+                  threads, watch);
 }
 
 }  // namespace thicken

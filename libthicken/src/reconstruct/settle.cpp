@@ -6,17 +6,13 @@
 
 #include "exact/predicates.h"
 #include "mesh/float_lattice.h"
+#include "mesh/sort_unique.h"
 
 namespace thicken {
 
 namespace {
 
 using Ids = std::vector<std::uint32_t>;
-
-void sortUnique(Ids& ids) {
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-}
 
 std::uint64_t hashOf(const TriangleMesh& mesh, const Triangle& t) {
   std::uint64_t h = 0;

@@ -57,12 +57,7 @@ RepairResult provedResult(const Workpiece& piece, const RepairFacts& before, con
   RepairResult result = packed(piece, before.weldDistance, Ledger(before));
   if (result.mesh.triangles.empty())
     throw Error(ErrorCode::kNoSolid, "nothing remains of the surface without its folds; smooth or remesh it");
-  CheckResult proof = check(result.mesh, context, threads);
-  if (!proof.valid())
-    throw Error(ErrorCode::kInternal, "the repaired surface is not valid: " + proof.defects.front().sentence,
-                std::move(proof.defects));
-  result.facts.surface = proof.facts;
-  return result;
+  return proved(std::move(result), context, threads);
 }
 
 }  // namespace

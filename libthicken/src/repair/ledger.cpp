@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "check/surface_facts.h"
+#include "mesh/sort_unique.h"
 #include "thicken/check.h"
+#include "thicken/error.h"
 
 namespace thicken::repairing {
 
@@ -29,8 +31,7 @@ RepairFacts Ledger::facts(double weldDistance) && {
   facts.weldDistance = weldDistance;
   for (auto& [kind, change] : changes_) {
     auto& ids = change.triangles;
-    std::sort(ids.begin(), ids.end());
-    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+    sortUnique(ids);
     if (removes(kind)) {
       facts.removed += change.count;
       if (kind != RepairKind::kDuplicate) facts.removedArea += change.area;
@@ -60,6 +61,15 @@ RepairResult packed(const Workpiece& piece, double weldDistance, Ledger ledger) 
   }
   result.mesh = weld(rest);
   result.facts = std::move(ledger).facts(weldDistance);
+  return result;
+}
+
+RepairResult proved(RepairResult result, const RunContext& context, int threads) {
+  CheckResult proof = check(result.mesh, context, threads);
+  if (!proof.valid())
+    throw Error(ErrorCode::kInternal, "the repaired surface is not valid: " + proof.defects.front().sentence,
+                std::move(proof.defects));
+  result.facts.surface = proof.facts;
   return result;
 }
 

@@ -30,4 +30,7 @@ class Ledger {
 /// was done to `piece` is added to the ledger.
 [[nodiscard]] RepairResult packed(const Workpiece& piece, double weldDistance, Ledger ledger);
 
+/// `result` with the facts of its surface. Throws kInternal where check() does not accept it.
+[[nodiscard]] RepairResult proved(RepairResult result, const RunContext& context, int threads);
+
 }  // namespace thicken::repairing

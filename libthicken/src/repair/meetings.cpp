@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "exact/triangle_pair.h"
+#include "mesh/bounds.h"
 #include "repair/joints.h"
 
 namespace thicken::repairing {
@@ -48,9 +49,9 @@ void keepLargestFree(Workpiece& piece, const exact::BoxTree& tree, const RunCont
   for (const TriangleId t : order) {
     context.throwIfCancelled();
     const Triangle& c = piece.mesh.triangles[t];
-    const Vec3 low = p[c[0]].cwiseMin(p[c[1]]).cwiseMin(p[c[2]]);
-    const Vec3 high = p[c[0]].cwiseMax(p[c[1]]).cwiseMax(p[c[2]]);
-    const std::vector<TriangleId> near = tree.near(low, high);
+    Bounds box;
+    for (const VertexId v : c) box.add(p[v]);
+    const std::vector<TriangleId> near = tree.near(box.low, box.high);
     kept[t] = std::none_of(near.begin(), near.end(), [&](TriangleId u) {
       return kept[u] != 0 && exact::meet(p, c, piece.mesh.triangles[u]);
     });

@@ -148,12 +148,7 @@ RepairResult repair(const TriangleMesh& surface, const RepairOptions& options, R
   separate(piece, known);
   RepairResult result = packed(piece, distance, std::move(ledger));
   if (result.mesh.triangles.empty()) refuseAll(given);
-  CheckResult proof = check(result.mesh, context, threads);
-  if (!proof.valid())
-    throw Error(ErrorCode::kInternal, "the repaired surface is not valid: " + proof.defects.front().sentence,
-                std::move(proof.defects));
-  result.facts.surface = proof.facts;
-  return result;
+  return repairing::proved(std::move(result), context, threads);
 }
 
 }  // namespace thicken

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mesh/half_edges.h"
+#include "mesh/sort_unique.h"
 #include "mesh/union_find.h"
 
 namespace thicken::repairing {
@@ -72,8 +73,7 @@ class SeamCut {
     const SideOfChain* best = nullptr;
     for (auto& [root, side] : sides) {
       auto& list = side.triangles;
-      std::sort(list.begin(), list.end());
-      list.erase(std::unique(list.begin(), list.end()), list.end());
+      sortUnique(list);
       for (const TriangleId t : list) side.area += piece_.area(t);
       if (side.edges == chain.size() && (best == nullptr || side.area < best->area)) best = &side;
     }

@@ -4,13 +4,9 @@
 #include <algorithm>
 
 #include "exact/predicates.h"
+#include "mesh/sort_unique.h"
 
 namespace thicken {
-
-void sortUnique(std::vector<std::uint32_t>& ids) {
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-}
 
 ConflictTester::ConflictTester(const SweptMesh& mesh, const RunContext& context, int threads)
     : mesh_(mesh),

@@ -60,7 +60,4 @@ class ConflictTester {
   exact::BoxTree tree_;
 };
 
-/// Sorts and makes unique.
-void sortUnique(std::vector<std::uint32_t>& ids);
-
 }  // namespace thicken

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/sort_unique.h"
+
 namespace thicken {
 
 namespace {

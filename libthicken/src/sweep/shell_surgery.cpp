@@ -10,7 +10,7 @@
 #include "exact/predicates.h"
 #include "exact/triangle_pair.h"
 #include "mesh/minimal_area.h"
-#include "sweep/conflicts.h"
+#include "mesh/sort_unique.h"
 #include "sweep/direction.h"
 
 namespace thicken {

@@ -5,6 +5,8 @@
 #include <queue>
 #include <utility>
 
+#include "mesh/sort_unique.h"
+
 namespace thicken {
 
 namespace {
@@ -25,8 +27,7 @@ CopyGraph copyGraph(const SweptMesh& mesh) {
       edges.emplace_back(i, j);
       edges.emplace_back(j, i);
     }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  sortUnique(edges);
   CopyGraph graph;
   graph.offset.assign(mesh.copies.size() + 1, 0);
   graph.links.reserve(edges.size());
@@ -66,8 +67,7 @@ std::vector<std::uint32_t> limitSlope(SweptMesh& mesh, const CopyGraph& graph,
       open.emplace(wayOf(link.copy), link.copy);
     }
   }
-  std::sort(lowered.begin(), lowered.end());
-  lowered.erase(std::unique(lowered.begin(), lowered.end()), lowered.end());
+  sortUnique(lowered);
   return lowered;
 }
 

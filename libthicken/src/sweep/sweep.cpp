@@ -13,6 +13,7 @@
 
 #include "bvh/distance_tree.h"
 #include "mesh/normals.h"
+#include "mesh/sort_unique.h"
 #include "mesh/topology.h"
 #include "parallel_for.h"
 #include "sweep/direction.h"
