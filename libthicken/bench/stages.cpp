@@ -67,8 +67,7 @@ void run(const std::string& input, double thickness, double cell, const std::fil
   DeepWalls walls(surface, tree, swept, thickness, context, kAllThreads);
   walls.fit(keep);
   const Carrier carrier = makeCarrier(swept, walls.positions(), surface.triangles.size(), keep, cell);
-  const ClosestPointTree carrierTree(carrier.mesh);
-  const Membership membership(carrierTree, tree, surface.triangles.size(), thickness);
+  const Membership membership(carrier.mesh, tree, surface.triangles.size(), thickness);
   Contourer contourer(surface, thickness, cell, context, kAllThreads);
   Stopwatch watch;
   Contour contour = contourer.contour(carrier, membership, {}, watch);

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "field/membership.h"
 
+#include <cmath>
+#include <limits>
+#include <vector>
+
 namespace thicken {
 
 namespace {
@@ -9,13 +13,49 @@ bool behind(const Vec3& p, const ClosestPoint& c) {
   return (p - c.point).dot(c.pseudonormal) < 0;
 }
 
+// The carrier's triangles from `from` on, after those of the surface that share a vertex with them: so the
+// normals of shared vertices and edges are the carrier's. Orders are kept.
+TriangleMesh beyondSurface(const TriangleMesh& carrier, std::size_t from, std::size_t& shared) {
+  std::vector<std::uint8_t> isBeyond(carrier.positions.size(), 0);
+  for (std::size_t t = from; t < carrier.triangles.size(); ++t)
+    for (const VertexId v : carrier.triangles[t]) isBeyond[v] = 1;
+  TriangleMesh beyond;
+  for (std::size_t t = 0; t < from; ++t) {
+    const auto& [a, b, c] = carrier.triangles[t];
+    if (isBeyond[a] || isBeyond[b] || isBeyond[c]) beyond.triangles.push_back(carrier.triangles[t]);
+  }
+  shared = beyond.triangles.size();
+  beyond.triangles.insert(beyond.triangles.end(), carrier.triangles.begin() + static_cast<std::ptrdiff_t>(from),
+                          carrier.triangles.end());
+  constexpr VertexId kUnused = std::numeric_limits<VertexId>::max();
+  std::vector<VertexId> to(carrier.positions.size(), kUnused);
+  for (const Triangle& t : beyond.triangles)
+    for (const VertexId v : t) to[v] = 0;
+  for (std::size_t v = 0; v < to.size(); ++v) {
+    if (to[v] == kUnused) continue;
+    to[v] = static_cast<VertexId>(beyond.positions.size());
+    beyond.positions.push_back(carrier.positions[v]);
+  }
+  for (Triangle& t : beyond.triangles)
+    for (VertexId& v : t) v = to[v];
+  return beyond;
+}
+
 }  // namespace
 
+Membership::Membership(const TriangleMesh& carrier, const ClosestPointTree& surface,
+                       std::size_t surfaceTriangles, double thickness)
+    : surface_(surface), beyond_(beyondSurface(carrier, surfaceTriangles, atRim_)), thickness_(thickness) {}
+
 Probe Membership::probe(const Vec3& p) const {
-  const ClosestPoint onCarrier = *carrier_.closest(p);
-  const bool onSurface = onCarrier.triangle < surfaceTriangles_;
-  ClosestPoint c = onCarrier;
-  if (!onSurface || onCarrier.onRim) c = *surface_.closest(p);
+  const ClosestPoint c = *surface_.closest(p);
+  ClosestPoint onCarrier = c;
+  bool onSurface = true;
+  const double asNear = std::nextafter(c.distance, std::numeric_limits<double>::infinity());
+  if (const auto beyond = beyond_.closest(p, asNear); beyond && (c.onRim || beyond->distance < c.distance)) {
+    onCarrier = *beyond;
+    onSurface = beyond->triangle < atRim_;
+  }
   Probe result;
   result.distance = c.distance;
   result.carrierDistance = onCarrier.distance;

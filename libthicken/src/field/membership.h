@@ -5,6 +5,8 @@
 // Which side of Ŝ a point lies on decides where Ŝ's own faces are closest; elsewhere Definition 2.
 #pragma once
 
+#include <cstddef>
+
 #include "thicken/closest_point.h"
 
 namespace thicken {
@@ -28,19 +30,19 @@ struct Probe {
 
 class Membership {
  public:
-  /// The first `surfaceTriangles` triangles of the carrier are those of the surface, in its order.
-  Membership(const ClosestPointTree& carrier, const ClosestPointTree& surface, std::size_t surfaceTriangles,
-             double thickness)
-      : carrier_(carrier), surface_(surface), surfaceTriangles_(surfaceTriangles), thickness_(thickness) {}
+  /// The first `surfaceTriangles` triangles of the carrier are those of the surface, in its order. `surface`
+  /// is their tree; it must outlive this. Only what the carrier has beyond them gets a tree of its own.
+  Membership(const TriangleMesh& carrier, const ClosestPointTree& surface, std::size_t surfaceTriangles,
+             double thickness);
 
   [[nodiscard]] Probe probe(const Vec3& p) const;
   [[nodiscard]] double thickness() const { return thickness_; }
   [[nodiscard]] const ClosestPointTree& surface() const { return surface_; }
 
  private:
-  const ClosestPointTree& carrier_;
   const ClosestPointTree& surface_;
-  std::size_t surfaceTriangles_;
+  std::size_t atRim_ = 0;  ///< so many triangles of beyond_ are S's
+  ClosestPointTree beyond_;
   double thickness_;
 };
 

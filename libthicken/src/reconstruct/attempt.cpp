@@ -34,8 +34,7 @@ Attempt::Attempt(const TriangleMesh& surface, const ClosestPointTree& tree, cons
 std::vector<TriangleId> Attempt::run(std::span<const std::uint8_t> keep, Stopwatch& watch) {
   walls_.fit(keep);
   const Carrier carrier = makeCarrier(swept_, walls_.positions(), surface_.triangles.size(), keep, width_);
-  const ClosestPointTree carrierTree(carrier.mesh);
-  const Membership membership(carrierTree, tree_, surface_.triangles.size(), options_.thickness);
+  const Membership membership(carrier.mesh, tree_, surface_.triangles.size(), options_.thickness);
   watch.lap("sweep");
   Contour contour = contourer_.contour(carrier, membership, onOpenShell(keep), watch);
   assembly_ = assemble(carrier, contour.dual, contour.crossings, contour.ways);
