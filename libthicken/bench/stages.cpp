@@ -66,7 +66,7 @@ void run(const std::string& input, double thickness, double cell, const std::fil
   for (const Region region : swept.region) keep.push_back(region != Region::kShell);
   DeepWalls walls(surface, tree, swept, thickness, context, kAllThreads);
   walls.fit(keep);
-  const Carrier carrier = makeCarrier(swept, walls.positions(), surface.triangles.size(), keep, cell);
+  const Carrier carrier = makeCarrier(swept, walls.positions(), walls.up(), surface.triangles.size(), keep, cell);
   const Membership membership(carrier.mesh, tree, surface.triangles.size(), thickness);
   Contourer contourer(surface, thickness, cell, context, kAllThreads);
   Stopwatch watch;

@@ -16,6 +16,7 @@ namespace thicken {
 namespace {
 
 constexpr int kDefaultRounds = 15;  // of shape optimisation; the paper takes 10 to 20
+constexpr double kLift = 0.75;      // cells that the end of a wall is drawn back by
 
 }  // namespace
 
@@ -33,7 +34,7 @@ Attempt::Attempt(const TriangleMesh& surface, const ClosestPointTree& tree, cons
 
 std::vector<TriangleId> Attempt::run(std::span<const std::uint8_t> keep, Stopwatch& watch) {
   walls_.fit(keep);
-  const Carrier carrier = makeCarrier(swept_, walls_.positions(), surface_.triangles.size(), keep, width_);
+  const Carrier carrier = makeCarrier(swept_, walls_.positions(), walls_.up(), surface_.triangles.size(), keep, width_);
   const Membership membership(carrier.mesh, tree_, surface_.triangles.size(), options_.thickness);
   watch.lap("sweep");
   Contour contour = contourer_.contour(carrier, membership, onOpenShell(keep), watch);
@@ -43,7 +44,7 @@ std::vector<TriangleId> Attempt::run(std::span<const std::uint8_t> keep, Stopwat
   const int rounds = options_.smooth.value_or(kDefaultRounds);
   const std::vector<Vec3> target = shapedPositions(assembly_, contour.dual, contour.crossings, membership,
                                                    width_, rounds, context_, threads_);
-  std::vector<TriangleId> meeting = settle(assembly_, target, proved_, context_, threads_);
+  std::vector<TriangleId> meeting = settle(assembly_, target, carrier.up, kLift * width_, proved_, context_, threads_);
   if (meeting.empty()) meeting = crowdedTriangles();
   if (meeting.empty()) dropMisplaced(assembly_, threads_);
   watch.lap("shape");
@@ -51,13 +52,12 @@ std::vector<TriangleId> Attempt::run(std::span<const std::uint8_t> keep, Stopwat
 }
 
 bool Attempt::liftWalls(std::span<const TriangleId> meeting) {
-  constexpr double kStep = 0.75;  // cells
   std::vector<VertexId> ids;
   for (const TriangleId t : meeting)
     for (const VertexId v : assembly_.mesh.triangles[t])
       if (v >= surface_.positions.size() && v < swept_.mesh.positions.size()) ids.push_back(v);
   sortUnique(ids);
-  return walls_.lift(ids, kStep * width_);
+  return walls_.lift(ids, kLift * width_);
 }
 
 // Triangles of the contour on edges that more than two share: where the rim circles around an edge of the

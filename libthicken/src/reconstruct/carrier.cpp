@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "mesh/float_lattice.h"
 #include "mesh/half_edges.h"
@@ -62,8 +63,14 @@ class RimDivider {
       last = p;
       ids.push_back(static_cast<VertexId>(carrier_.mesh.positions.size()));
       carrier_.mesh.positions.push_back(p);
+      carrier_.up.push_back(upBetween(a, b, double(i) / parts));
     }
     return ids;
+  }
+
+  [[nodiscard]] Vec3 upBetween(VertexId a, VertexId b, double share) const {
+    const Vec3 &from = carrier_.up[a], &to = carrier_.up[b];
+    return from.isZero(0) || to.isZero(0) ? Vec3(Vec3::Zero()) : Vec3(from + share * (to - from));
   }
 
   // Fans out one divided edge; the two outer triangles hold what else is divided.
@@ -123,9 +130,10 @@ void openFans(const TriangleMesh& swept, std::span<const Region> region, std::ve
   }
 }
 
-Carrier makeCarrier(const SweepResult& swept, std::span<const Vec3> positions, std::size_t surfaceTriangles,
-                    std::span<const std::uint8_t> keep, double longest) {
+Carrier makeCarrier(const SweepResult& swept, std::span<const Vec3> positions, std::vector<Vec3> up,
+                    std::size_t surfaceTriangles, std::span<const std::uint8_t> keep, double longest) {
   Carrier carrier;
+  carrier.up = std::move(up);
   carrier.mesh.positions.assign(positions.begin(), positions.end());
   carrier.mesh.triangles = keptTriangles(swept.mesh, keep);
   for (std::size_t t = 0; t < keep.size(); ++t)

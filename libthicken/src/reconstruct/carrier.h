@@ -19,6 +19,7 @@ struct Carrier {
   TriangleMesh mesh;           ///< S's vertices and triangles first
   std::vector<Region> region;  ///< per triangle
   Rim rim;                     ///< its edges are no longer than asked, except those of S
+  std::vector<Vec3> up;        ///< per vertex: from the end of a wall to where it hangs on S; else 0
 };
 
 /// Which triangles of the sweep (S's included) the carrier takes: `keep`, enlarged until no vertex
@@ -28,10 +29,10 @@ void closeFans(const TriangleMesh& swept, std::vector<std::uint8_t>& keep);
 /// Takes shell triangles out of `keep` until no vertex has two fans because of them.
 void openFans(const TriangleMesh& swept, std::span<const Region> region, std::vector<std::uint8_t>& keep);
 
-/// The carrier of the kept triangles, the sweep's vertices at `positions`; rim edges longer than `longest` mm
-/// are divided evenly, those of the first `surfaceTriangles` triangles excepted.
+/// The carrier of the kept triangles, the sweep's vertices at `positions`, with `up` of each; rim edges longer
+/// than `longest` mm are divided evenly, those of the first `surfaceTriangles` triangles excepted.
 [[nodiscard]] Carrier makeCarrier(const SweepResult& swept, std::span<const Vec3> positions,
-                                  std::size_t surfaceTriangles, std::span<const std::uint8_t> keep,
-                                  double longest);
+                                  std::vector<Vec3> up, std::size_t surfaceTriangles,
+                                  std::span<const std::uint8_t> keep, double longest);
 
 }  // namespace thicken

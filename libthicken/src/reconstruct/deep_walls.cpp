@@ -136,6 +136,12 @@ void DeepWalls::placeAll() {
   for (const VertexId v : low_) place(v);
 }
 
+std::vector<Vec3> DeepWalls::up() const {
+  std::vector<Vec3> up(at_.size(), Vec3::Zero());
+  for (const VertexId v : low_) up[v] = surface_.positions[base_[v]] - at_[v];
+  return up;
+}
+
 bool DeepWalls::lift(std::span<const VertexId> vertices, double step) {
   bool any = false;
   for (const VertexId v : vertices) {

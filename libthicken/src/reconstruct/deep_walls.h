@@ -28,6 +28,9 @@ class DeepWalls {
   /// Of the sweep's vertices.
   [[nodiscard]] const std::vector<Vec3>& positions() const { return at_; }
 
+  /// Per vertex of the sweep: from a wall's lower vertex to the rim vertex that it hangs on; 0 for others.
+  [[nodiscard]] std::vector<Vec3> up() const;
+
  private:
   [[nodiscard]] double deepest(VertexId low, VertexId base) const;
   void listBottom();

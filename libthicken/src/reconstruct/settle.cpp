@@ -26,10 +26,13 @@ std::uint64_t hashOf(const TriangleMesh& mesh, const Triangle& t) {
 
 class Settler {
  public:
-  Settler(Assembly& assembly, std::span<const Vec3> target, const ProvedTriangles& proved,
-          const RunContext& context, int threads)
+  Settler(Assembly& assembly, std::span<const Vec3> target, std::span<const Vec3> up, double step,
+          const ProvedTriangles& proved, const RunContext& context, int threads)
       : a_(assembly),
         target_(target),
+        up_(up),
+        step_(step),
+        lifts_(assembly.carrierVertices, 0),
         context_(context),
         threads_(threads),
         start_(assembly.mesh.positions.begin() + static_cast<std::ptrdiff_t>(assembly.carrierVertices),
@@ -48,12 +51,14 @@ class Settler {
       if (isFlat(t)) flat_.push_back(t);
     for (int round = 0; round < kBackwards + kRelaxations && !done(); ++round) {
       context_.throwIfCancelled();
-      Ids moved = involved(round < kBackwards ? 0 : (round - kBackwards) % 4 / 2);
-      if (moved.empty()) break;
+      const int relaxation = round - kBackwards;
+      std::vector<VertexId> moved;
       if (round < kBackwards)
-        goBack(moved, round + 1 == kBackwards);
-      else
-        relax(moved);
+        moved = goBack(involved(0), round + 1 == kBackwards);
+      else if (relaxation % kBetweenLifts == 0)
+        moved = lift();
+      if (moved.empty()) moved = relax(involved(std::max(relaxation, 0) % 4 / 2));
+      if (moved.empty()) break;
       retest(tree, moved);
     }
     return meeting();
@@ -62,6 +67,8 @@ class Settler {
  private:
   static constexpr int kBackwards = 3;
   static constexpr int kRelaxations = 16;
+  static constexpr int kBetweenLifts = 4;
+  static constexpr int kMostLifts = 3;
 
   Vec3& position(std::size_t i) { return a_.mesh.positions[a_.carrierVertices + i]; }
   [[nodiscard]] bool done() const { return pairs_.empty() && flat_.empty(); }
@@ -81,34 +88,51 @@ class Settler {
   }
 
   // The contour's vertices of the triangles that meet, and `rings` of neighbours.
-  [[nodiscard]] Ids involved(int rings) const {
-    Ids ids, triangles = meeting();
+  [[nodiscard]] std::vector<VertexId> involved(int rings) const {
+    std::vector<VertexId> ids;
+    Ids triangles = meeting();
     for (int ring = 0;; ++ring) {
       for (const TriangleId t : triangles)
         for (const VertexId v : a_.mesh.triangles[t])
-          if (v >= a_.carrierVertices) ids.push_back(static_cast<std::uint32_t>(v - a_.carrierVertices));
+          if (v >= a_.carrierVertices) ids.push_back(v);
       sortUnique(ids);
       if (ring == rings) return ids;
       triangles.clear();
-      for (const std::uint32_t i : ids)
-        for (const TriangleId t : around_.of(static_cast<VertexId>(a_.carrierVertices + i)))
-          triangles.push_back(t);
+      for (const VertexId v : ids)
+        for (const TriangleId t : around_.of(v)) triangles.push_back(t);
       sortUnique(triangles);
     }
   }
 
-  void goBack(const Ids& ids, bool wholly) {
-    for (const std::uint32_t i : ids) {
+  std::vector<VertexId> goBack(std::vector<VertexId> ids, bool wholly) {
+    for (const VertexId v : ids) {
+      const std::size_t i = v - a_.carrierVertices;
       share_[i] = wholly ? 0 : share_[i] / 2;
       position(i) = roundToFloat(start_[i] + share_[i] * (target_[i] - start_[i]));
     }
+    return ids;
+  }
+
+  // Draws back the ends of walls that triangles meet at; the strip beside them takes their place.
+  std::vector<VertexId> lift() {
+    std::vector<VertexId> ids;
+    for (const TriangleId t : meeting())
+      for (const VertexId v : a_.mesh.triangles[t])
+        if (v < a_.carrierVertices && lifts_[v] < kMostLifts && up_[v].norm() > (lifts_[v] + 2) * step_)
+          ids.push_back(v);
+    sortUnique(ids);
+    for (const VertexId v : ids) {
+      ++lifts_[v];
+      a_.mesh.positions[v] = roundToFloat(a_.mesh.positions[v] + step_ * up_[v].normalized());
+    }
+    return ids;
   }
 
   // Each vertex half-way to the mean of its neighbours.
-  void relax(const Ids& ids) {
+  std::vector<VertexId> relax(std::vector<VertexId> ids) {
     std::vector<Vec3> next(ids.size());
     for (std::size_t k = 0; k < ids.size(); ++k) {
-      const auto v = static_cast<VertexId>(a_.carrierVertices + ids[k]);
+      const VertexId v = ids[k];
       Vec3 sum = Vec3::Zero();
       double count = 0;
       for (const TriangleId t : around_.of(v))
@@ -119,14 +143,14 @@ class Settler {
           }
       next[k] = roundToFloat((a_.mesh.positions[v] + sum / count) / 2);
     }
-    for (std::size_t k = 0; k < ids.size(); ++k) position(ids[k]) = next[k];
+    for (std::size_t k = 0; k < ids.size(); ++k) a_.mesh.positions[ids[k]] = next[k];
+    return ids;
   }
 
-  void retest(exact::BoxTree& tree, const Ids& moved) {
+  void retest(exact::BoxTree& tree, const std::vector<VertexId>& moved) {
     Ids triangles;
-    for (const std::uint32_t i : moved)
-      for (const TriangleId t : around_.of(static_cast<VertexId>(a_.carrierVertices + i)))
-        triangles.push_back(t);
+    for (const VertexId v : moved)
+      for (const TriangleId t : around_.of(v)) triangles.push_back(t);
     sortUnique(triangles);
     for (const TriangleId t : triangles) clear_[t] = 0;
     tree.refit(a_.mesh.positions, a_.mesh.triangles, triangles);
@@ -144,7 +168,9 @@ class Settler {
   }
 
   Assembly& a_;
-  std::span<const Vec3> target_;
+  std::span<const Vec3> target_, up_;
+  double step_;
+  std::vector<std::uint8_t> lifts_;  ///< per vertex of the carrier
   const RunContext& context_;
   int threads_;
   std::vector<Vec3> start_;
@@ -173,9 +199,9 @@ void ProvedTriangles::replace(const TriangleMesh& mesh, std::span<const Triangle
   std::sort(hashes_.begin(), hashes_.end());
 }
 
-std::vector<TriangleId> settle(Assembly& assembly, std::span<const Vec3> target, ProvedTriangles& proved,
-                               const RunContext& context, int threads) {
-  std::vector<TriangleId> meeting = Settler(assembly, target, proved, context, threads).run();
+std::vector<TriangleId> settle(Assembly& assembly, std::span<const Vec3> target, std::span<const Vec3> up,
+                               double step, ProvedTriangles& proved, const RunContext& context, int threads) {
+  std::vector<TriangleId> meeting = Settler(assembly, target, up, step, proved, context, threads).run();
   proved.replace(assembly.mesh, meeting);
   return meeting;
 }

@@ -21,9 +21,11 @@ class ProvedTriangles {
 };
 
 /// Places the contour's vertices at `target` (floats), back towards where they started where triangles
-/// meet, and evens out what still meets. Returns the triangles that meet in the end, ascending; `proved`
-/// are not tested against each other unless they move, and are replaced.
+/// meet, draws the ends of walls that are in the way back by `step` mm along `up` (Carrier), and evens out
+/// what still meets. Returns the triangles that meet in the end, ascending; `proved` are not tested against
+/// each other unless they move, and are replaced.
 [[nodiscard]] std::vector<TriangleId> settle(Assembly& assembly, std::span<const Vec3> target,
-                                             ProvedTriangles& proved, const RunContext& context, int threads);
+                                             std::span<const Vec3> up, double step, ProvedTriangles& proved,
+                                             const RunContext& context, int threads);
 
 }  // namespace thicken
