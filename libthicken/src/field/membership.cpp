@@ -25,7 +25,8 @@ TriangleMesh beyondSurface(const TriangleMesh& carrier, std::size_t from, std::s
     if (isBeyond[a] || isBeyond[b] || isBeyond[c]) beyond.triangles.push_back(carrier.triangles[t]);
   }
   shared = beyond.triangles.size();
-  beyond.triangles.insert(beyond.triangles.end(), carrier.triangles.begin() + static_cast<std::ptrdiff_t>(from),
+  beyond.triangles.insert(beyond.triangles.end(),
+                          carrier.triangles.begin() + static_cast<std::ptrdiff_t>(from),
                           carrier.triangles.end());
   constexpr VertexId kUnused = std::numeric_limits<VertexId>::max();
   std::vector<VertexId> to(carrier.positions.size(), kUnused);

@@ -34,7 +34,8 @@ Attempt::Attempt(const TriangleMesh& surface, const ClosestPointTree& tree, cons
 
 std::vector<TriangleId> Attempt::run(std::span<const std::uint8_t> keep, Stopwatch& watch) {
   walls_.fit(keep);
-  const Carrier carrier = makeCarrier(swept_, walls_.positions(), walls_.up(), surface_.triangles.size(), keep, width_);
+  const Carrier carrier =
+      makeCarrier(swept_, walls_.positions(), walls_.up(), surface_.triangles.size(), keep, width_);
   const Membership membership(carrier.mesh, tree_, surface_.triangles.size(), options_.thickness);
   watch.lap("sweep");
   Contour contour = contourer_.contour(carrier, membership, onOpenShell(keep), watch);
@@ -44,7 +45,8 @@ std::vector<TriangleId> Attempt::run(std::span<const std::uint8_t> keep, Stopwat
   const int rounds = options_.smooth.value_or(kDefaultRounds);
   const std::vector<Vec3> target = shapedPositions(assembly_, contour.dual, contour.crossings, membership,
                                                    width_, rounds, context_, threads_);
-  std::vector<TriangleId> meeting = settle(assembly_, target, carrier.up, kLift * width_, proved_, context_, threads_);
+  std::vector<TriangleId> meeting =
+      settle(assembly_, target, carrier.up, kLift * width_, proved_, context_, threads_);
   if (meeting.empty()) meeting = crowdedTriangles();
   if (meeting.empty()) dropMisplaced(assembly_, threads_);
   watch.lap("shape");

@@ -54,10 +54,11 @@ class Settler {
       const int relaxation = round - kBackwards;
       std::vector<VertexId> moved;
       if (round < kBackwards)
-        moved = goBack(involved(0), round + 1 == kBackwards);
+        moved = goBack(involved(0, false), round + 1 == kBackwards);
       else if (relaxation % kBetweenLifts == 0)
         moved = lift();
-      if (moved.empty()) moved = relax(involved(std::max(relaxation, 0) % 4 / 2));
+      if (moved.empty())
+        moved = relax(involved(std::max(relaxation, 0) % 4 / 2, relaxation >= kContourAlone));
       if (moved.empty()) break;
       retest(tree, moved);
     }
@@ -68,6 +69,7 @@ class Settler {
   static constexpr int kBackwards = 3;
   static constexpr int kRelaxations = 16;
   static constexpr int kBetweenLifts = 4;
+  static constexpr int kContourAlone = 8;  // relaxations before the ends of walls move with it
   static constexpr int kMostLifts = 3;
 
   Vec3& position(std::size_t i) { return a_.mesh.positions[a_.carrierVertices + i]; }
@@ -87,14 +89,15 @@ class Settler {
     return ids;
   }
 
-  // The contour's vertices of the triangles that meet, and `rings` of neighbours.
-  [[nodiscard]] std::vector<VertexId> involved(int rings) const {
+  // The contour's vertices of the triangles that meet, and `rings` of neighbours; ends of walls, too, when
+  // lifting them was not enough.
+  [[nodiscard]] std::vector<VertexId> involved(int rings, bool walls) const {
     std::vector<VertexId> ids;
     Ids triangles = meeting();
     for (int ring = 0;; ++ring) {
       for (const TriangleId t : triangles)
         for (const VertexId v : a_.mesh.triangles[t])
-          if (v >= a_.carrierVertices) ids.push_back(v);
+          if (v >= a_.carrierVertices || (walls && !up_[v].isZero(0))) ids.push_back(v);
       sortUnique(ids);
       if (ring == rings) return ids;
       triangles.clear();
