@@ -84,7 +84,7 @@ TEST(NodeField, HasTheLabelsOfDefinition2) {
   const TriangleMesh sheet = shapes::sheet(10, 8);
   const double r = 1.1;
   const ClosestPointTree tree(sheet);
-  const Membership membership(tree, tree, sheet.triangles.size(), r);
+  const Membership membership(sheet, tree, sheet.triangles.size(), r);
   const UniformGrid grid = gridAround(sheet, r + 0.5, 0.3);
   NodeField field(grid);
   for (const GridIndex& n : allNodes(grid)) (void)field.want(UniformGrid::key(n));
@@ -99,6 +99,36 @@ TEST(NodeField, HasTheLabelsOfDefinition2) {
   EXPECT_GT(inside, 1000u);
 }
 
+// S with a skirt of triangles along its rim: the closest point of the whole, as one tree of the whole has it.
+TEST(Membership, AnswersAsOneTreeOfTheCarrier) {
+  const TriangleMesh sheet = shapes::sheet(10, 8);
+  const double r = 1.1;
+  TriangleMesh carrier = sheet;
+  for (const RimEdge& e : rimOf(sheet.positions.size(), sheet.triangles).edges) {
+    const auto low = static_cast<VertexId>(carrier.positions.size());
+    const Vec3 middle = (sheet.positions[e.from] + sheet.positions[e.to]) / 2;
+    carrier.positions.push_back(middle - Vec3(0.1, 0.05, 0.8));
+    carrier.triangles.push_back({e.to, e.from, low});
+  }
+  const ClosestPointTree tree(sheet), whole(carrier);
+  const Membership membership(carrier, tree, sheet.triangles.size(), r);
+  const UniformGrid grid = gridAround(sheet, r + 0.5, 0.3);
+  std::size_t onSkirt = 0;
+  for (const GridIndex& n : allNodes(grid)) {
+    const Vec3 p = grid.node(n);
+    const ClosestPoint c = *whole.closest(p);
+    const Probe probe = membership.probe(p);
+    EXPECT_EQ(probe.carrierDistance, c.distance);
+    EXPECT_EQ(probe.distance, tree.closest(p)->distance);
+    if (c.onRim) continue;
+    const bool behind = (p - c.point).dot(c.pseudonormal) < 0;
+    EXPECT_EQ(probe.standing == Standing::kFront || probe.standing == Standing::kRim, !behind)
+        << p.transpose();
+    onSkirt += c.triangle >= sheet.triangles.size();
+  }
+  EXPECT_GT(onSkirt, 100u);
+}
+
 // What is forgotten is at least what changes.
 TEST(NodeField, ForgetsWhatATriangleMayHaveChanged) {
   const TriangleMesh sheet = shapes::sheet(10, 8);
@@ -107,9 +137,9 @@ TEST(NodeField, ForgetsWhatATriangleMayHaveChanged) {
   const auto first = static_cast<VertexId>(more.positions.size());
   more.positions.insert(more.positions.end(), {{1, 1, -0.6}, {3, 1, -0.6}, {1, 3, -0.6}});
   more.triangles.push_back({first, first + 1, first + 2});
-  const ClosestPointTree tree(sheet), carrier(more);
-  const Membership before(tree, tree, sheet.triangles.size(), r);
-  const Membership after(carrier, tree, sheet.triangles.size(), r);
+  const ClosestPointTree tree(sheet);
+  const Membership before(sheet, tree, sheet.triangles.size(), r);
+  const Membership after(more, tree, sheet.triangles.size(), r);
   const UniformGrid grid = gridAround(sheet, r + 0.5, 0.3);
   NodeField field(grid);
   for (const GridIndex& n : allNodes(grid)) (void)field.want(UniformGrid::key(n));
@@ -137,14 +167,14 @@ TEST(FollowContour, FindsWhatASearchOfEveryEdgeFinds) {
   const TriangleMesh sheet = shapes::sheet(10, 8);
   const double r = 1.1;
   const ClosestPointTree tree(sheet);
-  const Membership membership(tree, tree, sheet.triangles.size(), r);
+  const Membership membership(sheet, tree, sheet.triangles.size(), r);
   const UniformGrid grid = gridAround(sheet, r + 0.5, 0.3);
   const CrossedEdges crossed(surfaceCrossings(grid, sheet.positions, sheet.triangles, {}, 2), {});
-  std::vector<GridIndex> seeds;
+  std::vector<GridIndex> rimCells;
   for (const RimWay& way : rimWays(grid, sheet.positions, rimOf(sheet.positions.size(), sheet.triangles)))
-    for (const RimVisit& visit : way) seeds.push_back(visit.cell);
+    for (const RimVisit& visit : way) rimCells.push_back(visit.cell);
   NodeField field(grid);
-  const auto found = followContour(grid, seeds, crossed, membership, field, {}, 2);
+  const auto found = followContour(grid, rimCells, {}, crossed, membership, field, {}, 2);
 
   NodeField whole(grid);
   for (const GridIndex& n : allNodes(grid)) (void)whole.want(UniformGrid::key(n));

@@ -22,18 +22,50 @@ class Follower {
         context_(context),
         threads_(threads) {}
 
-  std::vector<Crossing> run(std::span<const GridIndex> seeds) {
-    for (const GridIndex& cell : seeds) cells_.insert(UniformGrid::key(cell));
-    follow();
-    // A seed is a point near the contour, which may pass its cell by.
-    for (const GridIndex& cell : seeds)
-      if (!crossed_.contains(UniformGrid::key(cell))) enterNeighbours(cell);
-    follow();
+  std::vector<Crossing> run(std::span<const GridIndex> rimCells, const Seeds& seeds) {
+    followFrom(rimCells);
+    std::vector<GridIndex> further;
+    for (const Vec3& p : placed(seeds)) further.push_back(cellOf(p));
+    followFrom(further);
     std::sort(found_.begin(), found_.end(), inOrder);
     return std::move(found_);
   }
 
  private:
+  void followFrom(std::span<const GridIndex> cells) {
+    for (const GridIndex& cell : cells) addCell(UniformGrid::key(cell));
+    follow();
+    // The contour may pass a cell by that holds a point next to it.
+    for (const GridIndex& cell : cells)
+      if (!isCrossed(cell)) enterNeighbours(cell);
+    follow();
+  }
+
+  // The seeds that the contour has not come by yet.
+  [[nodiscard]] std::vector<Vec3> placed(const Seeds& seeds) const {
+    std::vector<Vec3> points;
+    for (const Vec3& p : seeds.points)
+      if (!isCrossed(cellOf(p))) points.push_back(p);
+    parallelFor(points.size(), threads_, context_, 256,
+                [&](std::size_t i) { points[i] = seeds.toContour(points[i]); });
+    return points;
+  }
+
+  [[nodiscard]] GridIndex cellOf(const Vec3& p) const {
+    return {grid_.indexBelow(0, p.x()), grid_.indexBelow(1, p.y()), grid_.indexBelow(2, p.z())};
+  }
+
+  [[nodiscard]] bool isCrossed(const GridIndex& cell) const {
+    const std::uint32_t i = cells_.find(UniformGrid::key(cell));
+    return i != KeyIndex::kAbsent && crossed_[i] != 0;
+  }
+
+  std::uint32_t addCell(std::uint64_t key) {
+    const auto [i, isNew] = cells_.insert(key);
+    if (isNew) crossed_.push_back(0);
+    return i;
+  }
+
   void follow() {
     while (done_ < cells_.size()) {
       const std::size_t end = cells_.size(), firstEdge = edges_.size();
@@ -45,7 +77,7 @@ class Follower {
 
   void enterNeighbours(const GridIndex& cell) {
     for (int c = 0; c < 27; ++c)
-      cells_.insert(UniformGrid::key({cell[0] + c % 3 - 1, cell[1] + c / 3 % 3 - 1, cell[2] + c / 9 - 1}));
+      addCell(UniformGrid::key({cell[0] + c % 3 - 1, cell[1] + c / 3 % 3 - 1, cell[2] + c / 9 - 1}));
   }
 
   // Lists the cell's nodes and edges that no cell before it had.
@@ -54,12 +86,13 @@ class Follower {
     for (int c = 0; c < 8; ++c)
       corner[c] =
           field_.want(UniformGrid::key({cell[0] + (c & 1), cell[1] + (c >> 1 & 1), cell[2] + (c >> 2)}));
+    listed_.resize(field_.size(), 0);
     for (int axis = 0; axis < 3; ++axis)
       for (int c = 0; c < 8; ++c) {
-        if (c >> axis & 1) continue;
-        const GridIndex low{cell[0] + (c & 1), cell[1] + (c >> 1 & 1), cell[2] + (c >> 2)};
-        if (edges_.insert(UniformGrid::key(low, axis)).second)
-          ends_.push_back({corner[c], corner[c | (1 << axis)]});
+        std::uint8_t& listed = listed_[corner[c]];
+        if ((c >> axis & 1) || (listed >> axis & 1)) continue;
+        listed |= static_cast<std::uint8_t>(1 << axis);
+        edges_.push_back({corner[c], corner[c | (1 << axis)], axis});
       }
   }
 
@@ -68,9 +101,9 @@ class Follower {
     const std::size_t count = edges_.size() - firstEdge;
     std::vector<std::vector<Crossing>> parts((count + kGrain - 1) / kGrain);
     parallelFor(count, threads_, context_, kGrain, [&](std::size_t i) {
-      const std::size_t e = firstEdge + i;
-      const std::uint64_t edge = edges_.keys()[e];
-      crossEdge(grid_, field_, edge, ends_[e][0], ends_[e][1], carrier_.of(edge), parts[i / kGrain]);
+      const Edge& e = edges_[firstEdge + i];
+      const std::uint64_t key = UniformGrid::key(UniformGrid::indexOf(field_.key(e.low)), e.axis);
+      crossEdge(grid_, field_, key, e.low, e.high, carrier_.of(key), parts[i / kGrain]);
     });
     for (const auto& part : parts)
       for (const Crossing& c : part) {
@@ -78,12 +111,15 @@ class Follower {
         const GridIndex n = UniformGrid::indexOf(c.edge >> 2);
         for (int k = 0; k < 4; ++k) {
           const GridIndex o = sectorOffset(static_cast<int>(c.edge & 3), k);
-          const std::uint64_t cell = UniformGrid::key({n[0] + o[0], n[1] + o[1], n[2] + o[2]});
-          cells_.insert(cell);
-          crossed_.insert(cell);
+          crossed_[addCell(UniformGrid::key({n[0] + o[0], n[1] + o[1], n[2] + o[2]}))] = 1;
         }
       }
   }
+
+  struct Edge {
+    std::uint32_t low, high;  ///< nodes
+    int axis;
+  };
 
   const UniformGrid& grid_;
   const CrossedEdges& carrier_;
@@ -91,18 +127,21 @@ class Follower {
   NodeField& field_;
   const RunContext& context_;
   int threads_;
-  KeyIndex cells_, edges_, crossed_;
-  std::size_t done_ = 0;                            ///< cells
-  std::vector<std::array<std::uint32_t, 2>> ends_;  ///< nodes of each edge
+  KeyIndex cells_;
+  std::vector<std::uint8_t> crossed_;  ///< per cell
+  std::size_t done_ = 0;               ///< cells
+  std::vector<std::uint8_t> listed_;   ///< per node, a bit for each axis: its edge is in edges_
+  std::vector<Edge> edges_;
   std::vector<Crossing> found_;
 };
 
 }  // namespace
 
-std::vector<Crossing> followContour(const UniformGrid& grid, std::span<const GridIndex> seeds,
-                                    const CrossedEdges& carrier, const Membership& membership,
-                                    NodeField& field, const RunContext& context, int threads) {
-  return Follower(grid, carrier, membership, field, context, threads).run(seeds);
+std::vector<Crossing> followContour(const UniformGrid& grid, std::span<const GridIndex> rimCells,
+                                    const Seeds& seeds, const CrossedEdges& carrier,
+                                    const Membership& membership, NodeField& field, const RunContext& context,
+                                    int threads) {
+  return Follower(grid, carrier, membership, field, context, threads).run(rimCells, seeds);
 }
 
 }  // namespace thicken

@@ -5,6 +5,7 @@
 // edges are examined, so that what is found is whole.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -12,8 +13,16 @@
 
 namespace thicken {
 
-/// All crossings of what hangs together with `seeds` (cells), sorted by edge, then along it; not placed.
-[[nodiscard]] std::vector<Crossing> followContour(const UniformGrid& grid, std::span<const GridIndex> seeds,
+/// Points near the contour, for parts of it that hang together with no rim.
+struct Seeds {
+  std::vector<Vec3> points;
+  std::function<Vec3(const Vec3&)> toContour;  ///< moves such a point onto it; called on any thread
+};
+
+/// All crossings of what hangs together with `rimCells` or with `seeds`, sorted by edge, then along it; not
+/// placed. Seeds in cells that the contour is already known to pass are not looked at.
+[[nodiscard]] std::vector<Crossing> followContour(const UniformGrid& grid,
+                                                  std::span<const GridIndex> rimCells, const Seeds& seeds,
                                                   const CrossedEdges& carrier, const Membership& membership,
                                                   NodeField& field, const RunContext& context, int threads);
 

@@ -47,6 +47,8 @@ class NodeField {
       visit(grid_.node(UniformGrid::indexOf(index_.keys()[i])), samples_[i]);
   }
   [[nodiscard]] std::size_t size() const { return samples_.size(); }
+  /// The node (UniformGrid::key) of a number.
+  [[nodiscard]] std::uint64_t key(std::uint32_t i) const { return index_.keys()[i]; }
 
   /// Evaluates the nodes that are wanted.
   void evaluate(const Membership& membership, const RunContext& context, int threads);

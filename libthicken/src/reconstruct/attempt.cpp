@@ -7,7 +7,6 @@
 #include "measure/stopwatch.h"
 #include "mesh/half_edges.h"
 #include "mesh/sort_unique.h"
-#include "parallel_for.h"
 #include "reconstruct/loose_parts.h"
 #include "reconstruct/shape.h"
 
@@ -38,7 +37,7 @@ std::vector<TriangleId> Attempt::run(std::span<const std::uint8_t> keep, Stopwat
       makeCarrier(swept_, walls_.positions(), walls_.up(), surface_.triangles.size(), keep, width_);
   const Membership membership(carrier.mesh, tree_, surface_.triangles.size(), options_.thickness);
   watch.lap("sweep");
-  Contour contour = contourer_.contour(carrier, membership, onOpenShell(keep), watch);
+  Contour contour = contourer_.contour(carrier, membership, openShell(keep), watch);
   assembly_ = assemble(carrier, contour.dual, contour.crossings, contour.ways);
   dropSpecks(assembly_, width_);
   watch.lap("faces");
@@ -91,21 +90,16 @@ Vec3 Attempt::pushedToShell(Vec3 p) const {
   return p;
 }
 
-// Points at the thickness from S below what the carrier does not have of the sweep's shell.
-std::vector<Vec3> Attempt::onOpenShell(std::span<const std::uint8_t> keep) const {
-  constexpr double kFull = 0.98;
-  std::vector<VertexId> open;
+// The sweep's shell where the carrier does not have it.
+Seeds Attempt::openShell(std::span<const std::uint8_t> keep) const {
+  Seeds seeds;
   std::vector<std::uint8_t> seen(swept_.mesh.positions.size(), 0);
   for (std::size_t t = 0; t < keep.size(); ++t)
     if (!keep[t])
       for (const VertexId v : swept_.mesh.triangles[t])
-        if (!std::exchange(seen[v], std::uint8_t{1})) open.push_back(v);
-  std::vector<Vec3> points(open.size());
-  parallelFor(open.size(), threads_, context_, 256, [&](std::size_t i) {
-    points[i] = swept_.mesh.positions[open[i]];
-    if (swept_.distance[open[i]] < kFull * options_.thickness) points[i] = pushedToShell(points[i]);
-  });
-  return points;
+        if (!std::exchange(seen[v], std::uint8_t{1})) seeds.points.push_back(swept_.mesh.positions[v]);
+  seeds.toContour = [this](const Vec3& p) { return pushedToShell(p); };
+  return seeds;
 }
 
 }  // namespace thicken

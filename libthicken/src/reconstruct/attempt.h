@@ -33,7 +33,7 @@ class Attempt {
  private:
   [[nodiscard]] std::vector<TriangleId> crowdedTriangles() const;
   [[nodiscard]] Vec3 pushedToShell(Vec3 p) const;
-  [[nodiscard]] std::vector<Vec3> onOpenShell(std::span<const std::uint8_t> keep) const;
+  [[nodiscard]] Seeds openShell(std::span<const std::uint8_t> keep) const;
 
   DeepWalls walls_;
   Contourer contourer_;

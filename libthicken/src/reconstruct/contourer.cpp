@@ -5,7 +5,6 @@
 #include <cmath>
 #include <iterator>
 
-#include "contour/follow.h"
 #include "measure/stopwatch.h"
 #include "mesh/bounds.h"
 #include "parallel_for.h"
@@ -49,13 +48,10 @@ TriangleMesh meshOf(std::span<const std::array<Vec3, 3>> corners) {
   return mesh;
 }
 
-std::vector<GridIndex> seedCells(const UniformGrid& grid, const std::vector<RimWay>& ways,
-                                 std::span<const Vec3> seeds) {
+std::vector<GridIndex> rimCells(const std::vector<RimWay>& ways) {
   std::vector<GridIndex> cells;
   for (const RimWay& way : ways)
     for (const RimVisit& visit : way) cells.push_back(visit.cell);
-  for (const Vec3& p : seeds)
-    cells.push_back({grid.indexBelow(0, p.x()), grid.indexBelow(1, p.y()), grid.indexBelow(2, p.z())});
   return cells;
 }
 
@@ -65,7 +61,7 @@ Contourer::Contourer(const TriangleMesh& surface, double thickness, double width
                      int threads)
     : surface_(surface), thickness_(thickness), width_(width), context_(context), threads_(threads) {}
 
-Contour Contourer::contour(const Carrier& carrier, const Membership& membership, std::span<const Vec3> seeds,
+Contour Contourer::contour(const Carrier& carrier, const Membership& membership, const Seeds& seeds,
                            Stopwatch& watch) {
   for (;;) {
     try {
@@ -89,7 +85,7 @@ void Contourer::startGrid() {
   last_.clear();
 }
 
-Contour Contourer::attempt(const Carrier& carrier, const Membership& membership, std::span<const Vec3> seeds,
+Contour Contourer::attempt(const Carrier& carrier, const Membership& membership, const Seeds& seeds,
                            Stopwatch& watch) {
   const std::span<const Triangle> beyond =
       std::span(carrier.mesh.triangles).subspan(surface_.triangles.size());
@@ -101,7 +97,7 @@ Contour Contourer::attempt(const Carrier& carrier, const Membership& membership,
   for (std::size_t t = 0; t < beyond.size(); ++t)
     for (int k = 0; k < 3; ++k) corners[t][k] = carrier.mesh.positions[beyond[t][k]];
   forgetChanges(std::move(corners));
-  made.crossings = followContour(grid_, seedCells(grid_, made.ways, seeds), crossed, membership, *field_,
+  made.crossings = followContour(grid_, rimCells(made.ways), seeds, crossed, membership, *field_,
                                  context_, threads_);
   watch.lap("field");
   recall(made.crossings);

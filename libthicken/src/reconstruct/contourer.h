@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "contour/dual_surface.h"
+#include "contour/follow.h"
 #include "field/node_field.h"
 #include "reconstruct/carrier.h"
 
@@ -30,9 +31,9 @@ class Contourer {
             int threads);
 
   /// The contour of what lies in H and is not closed off by `carrier`, whose first triangles are those of
-  /// the surface. `seeds` are points of the inner shell that hangs together with no rim.
+  /// the surface. `seeds` are for parts of it that hang together with no rim.
   [[nodiscard]] Contour contour(const Carrier& carrier, const Membership& membership,
-                                std::span<const Vec3> seeds, Stopwatch& watch);
+                                const Seeds& seeds, Stopwatch& watch);
 
   /// Of the last contour.
   [[nodiscard]] const UniformGrid& grid() const { return grid_; }
@@ -43,7 +44,7 @@ class Contourer {
 
   void startGrid();
   [[nodiscard]] Contour attempt(const Carrier& carrier, const Membership& membership,
-                                std::span<const Vec3> seeds, Stopwatch& watch);
+                                const Seeds& seeds, Stopwatch& watch);
   void forgetChanges(std::vector<Corners> beyondSurface);
   void recall(std::vector<Crossing>& crossings) const;
 
