@@ -27,6 +27,7 @@ class Assembler {
       : dual_(dual), crossings_(crossings), ways_(ways) {
     out_.mesh = carrier.mesh;
     out_.region = carrier.region;
+    out_.firstDivided = carrier.firstDivided;
     out_.carrierVertices = carrier.mesh.positions.size();
     out_.carrierTriangles = carrier.mesh.triangles.size();
     out_.dualVertices = dual.vertexCount;

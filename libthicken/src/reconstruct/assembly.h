@@ -10,6 +10,7 @@
 namespace thicken {
 
 struct Assembly {
+  VertexId firstDivided = 0;         ///< of the carrier (Carrier)
   std::size_t carrierVertices = 0;   ///< the contour's vertices follow: those of the dual surface in
   std::size_t carrierTriangles = 0;  ///< its order, then one in the middle of each face that is fanned
   std::size_t dualVertices = 0;

@@ -134,6 +134,7 @@ Carrier makeCarrier(const SweepResult& swept, std::span<const Vec3> positions, s
                     std::size_t surfaceTriangles, std::span<const std::uint8_t> keep, double longest) {
   Carrier carrier;
   carrier.up = std::move(up);
+  carrier.firstDivided = static_cast<VertexId>(positions.size());
   carrier.mesh.positions.assign(positions.begin(), positions.end());
   carrier.mesh.triangles = keptTriangles(swept.mesh, keep);
   for (std::size_t t = 0; t < keep.size(); ++t)

@@ -97,8 +97,8 @@ Contour Contourer::attempt(const Carrier& carrier, const Membership& membership,
   for (std::size_t t = 0; t < beyond.size(); ++t)
     for (int k = 0; k < 3; ++k) corners[t][k] = carrier.mesh.positions[beyond[t][k]];
   forgetChanges(std::move(corners));
-  made.crossings = followContour(grid_, rimCells(made.ways), seeds, crossed, membership, *field_,
-                                 context_, threads_);
+  made.crossings =
+      followContour(grid_, rimCells(made.ways), seeds, crossed, membership, *field_, context_, threads_);
   watch.lap("field");
   recall(made.crossings);
   placeCrossings(made.crossings, grid_, *field_, membership, context_, threads_);

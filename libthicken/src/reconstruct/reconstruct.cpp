@@ -16,6 +16,7 @@
 #include "reconstruct/attempt.h"
 #include "reconstruct/carrier.h"
 #include "sweep/sweep.h"
+#include "sweep/sweep_walls.h"
 #include "thicken/error.h"
 
 namespace thicken {
@@ -143,10 +144,11 @@ Reconstruction finish(const Assembly& assembly, const TriangleMesh& surface, con
 }
 
 // Attempts until nothing meets, `area` mm² being contoured: walls that are in the way are drawn back, and
-// where that does not help the sweep's own shell is kept.
-Reconstruction complete(const TriangleMesh& surface, const ClosestPointTree& tree, const SweepResult& swept,
-                        std::vector<std::uint8_t> keep, double area, double width, const Options& options,
-                        const RunContext& context, int threads, Stopwatch& watch) {
+// where that does not help the sweep's own shell is kept. nullopt where that is needed and not proved.
+std::optional<Reconstruction> complete(const TriangleMesh& surface, const ClosestPointTree& tree,
+                                       const SweepResult& swept, std::vector<std::uint8_t> keep, double area,
+                                       double width, const Options& options, const RunContext& context,
+                                       int threads, Stopwatch& watch) {
   separateFans(swept, keep);
   std::vector<std::uint8_t> isShell(keep.size());
   for (std::size_t t = 0; t < keep.size(); ++t) isShell[t] = swept.region[t] == Region::kShell;
@@ -170,6 +172,7 @@ Reconstruction complete(const TriangleMesh& surface, const ClosestPointTree& tre
         yield(swept, shell, attempt.assembly(), meeting, nearby, yielded, keep))
       continue;
     if (lifted) continue;
+    if (!swept.shellProved) return std::nullopt;
     const double reach = width * kFirstReach * std::pow(kReachGrowth, static_cast<double>(refinements));
     if (refinements++ < kMostRefinements &&
         refine(swept, shell, attempt.assembly(), meeting, width, reach, keep))
@@ -236,12 +239,16 @@ Reconstruction reconstruct(const TriangleMesh& surface, const ClosestPointTree& 
                            const RunContext& context, int threads, Stopwatch& watch) {
   const double area = areaOf(surface), width = cellWidth(surface, area, options);
   requireRoomForField(surface, area, options.thickness, width, context);
-  const SweepResult swept =
-      sweep(surface, tree, options.thickness, Side::kNegative, context, threads, Polish::kNo);
-  watch.lap("sweep");
-  std::vector<std::uint8_t> keep(swept.mesh.triangles.size());
-  for (std::size_t t = 0; t < keep.size(); ++t) keep[t] = swept.region[t] != Region::kShell;
-  return complete(surface, tree, swept, std::move(keep), area, width, options, context, threads, watch);
+  const auto below = [&](const SweepResult& swept) {
+    watch.lap("sweep");
+    std::vector<std::uint8_t> keep(swept.mesh.triangles.size());
+    for (std::size_t t = 0; t < keep.size(); ++t) keep[t] = swept.region[t] != Region::kShell;
+    return complete(surface, tree, swept, std::move(keep), area, width, options, context, threads, watch);
+  };
+  // Most surfaces need no more of the sweep than its walls.
+  if (const auto walls = sweepWalls(surface, tree, options.thickness, context, threads))
+    if (auto made = below(*walls)) return *std::move(made);
+  return *below(sweep(surface, tree, options.thickness, Side::kNegative, context, threads, Polish::kNo));
 }
 
 std::optional<Reconstruction> deepen(const TriangleMesh& surface, const ClosestPointTree& tree,

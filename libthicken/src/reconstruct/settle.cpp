@@ -41,14 +41,15 @@ class Settler {
         around_(vertexTriangles(assembly.mesh.positions.size(), assembly.mesh.triangles)) {
     for (std::size_t i = 0; i < start_.size(); ++i) position(i) = roundToFloat(target[i]);
     clear_ = proved.among(assembly.mesh);
-    std::fill_n(clear_.begin(), assembly.carrierTriangles, std::uint8_t{1});
+    for (TriangleId t = 0; t < assembly.carrierTriangles; ++t)
+      if (!isDivided(t)) clear_[t] = 1;
   }
 
   Ids run() {
     exact::BoxTree tree(a_.mesh.positions, a_.mesh.triangles, threads_);
     pairs_ = tree.meetingPairs(a_.mesh.positions, a_.mesh.triangles, clear_, context_, threads_);
-    for (auto t = static_cast<TriangleId>(a_.carrierTriangles); t < a_.mesh.triangles.size(); ++t)
-      if (isFlat(t)) flat_.push_back(t);
+    for (TriangleId t = 0; t < a_.mesh.triangles.size(); ++t)
+      if ((t >= a_.carrierTriangles || isDivided(t)) && isFlat(t)) flat_.push_back(t);
     for (int round = 0; round < kBackwards + kRelaxations && !done(); ++round) {
       context_.throwIfCancelled();
       const int relaxation = round - kBackwards;
@@ -73,6 +74,12 @@ class Settler {
   static constexpr int kMostLifts = 3;
 
   Vec3& position(std::size_t i) { return a_.mesh.positions[a_.carrierVertices + i]; }
+  // Whether rounding may have moved the triangle out of the plane of the one that was proved.
+  [[nodiscard]] bool isDivided(TriangleId t) const {
+    const Triangle& corners = a_.mesh.triangles[t];
+    return std::any_of(corners.begin(), corners.end(),
+                       [this](VertexId v) { return v >= a_.firstDivided && v < a_.carrierVertices; });
+  }
   [[nodiscard]] bool done() const { return pairs_.empty() && flat_.empty(); }
   [[nodiscard]] bool isFlat(TriangleId t) const {
     const auto& [a, b, c] = a_.mesh.triangles[t];

@@ -19,6 +19,9 @@ struct SweepDirection {
   double safety = 0;      ///< smallest n·m/|m| over the triangles around; ≤ 0: no copy of v can be valid
 };
 
+/// Least safety of a copy that a float can keep behind all its triangles.
+inline constexpr double kLeastSafety = 0.05;
+
 /// One direction for every vertex of `surface` that a triangle uses.
 [[nodiscard]] std::vector<SweepDirection> sweepDirections(const TriangleMesh& surface,
                                                           std::span<const Vec3> faceNormal,

@@ -12,12 +12,10 @@
 #include <vector>
 
 #include "mesh/topology.h"
+#include "sweep/direction.h"
 #include "sweep/swept_mesh.h"
 
 namespace thicken {
-
-/// Least safety (SweepDirection) of a copy that a float can keep behind all its triangles.
-inline constexpr double kLeastSafety = 0.05;
 
 class ShellSurgery {
  public:

@@ -22,6 +22,7 @@ struct SweepResult {
   std::vector<double> distance;  ///< mm per vertex: to S; 0 for S's own
   std::vector<double> depth;     ///< mm per vertex of S: distance from its copy to S
   std::size_t droppedCopies = 0;
+  bool shellProved = true;  ///< whether all triangles are clear of each other, or only S and the walls
   std::size_t rounds = 0;
 };
 
