@@ -21,7 +21,7 @@ constexpr double kEnd = 0.9999;
 constexpr double kKeep = 0.9;
 constexpr double kStep = 1.12;
 // mm of way that neighbours may differ by, per mm of rim.
-constexpr double kSlope = 1.5;
+constexpr double kSlope = 0.7;
 constexpr int kHalvings = 4;
 constexpr int kShortenings = 2;
 constexpr int kMostLifts = 4;

@@ -138,7 +138,8 @@ class Settler {
     return ids;
   }
 
-  // Each vertex half-way to the mean of its neighbours.
+  // Each vertex half-way to the mean of its neighbours; the end of a wall, whose neighbours may be far away,
+  // by a step at most.
   std::vector<VertexId> relax(std::vector<VertexId> ids) {
     std::vector<Vec3> next(ids.size());
     for (std::size_t k = 0; k < ids.size(); ++k) {
@@ -151,7 +152,9 @@ class Settler {
             sum += a_.mesh.positions[w];
             ++count;
           }
-      next[k] = roundToFloat((a_.mesh.positions[v] + sum / count) / 2);
+      Vec3 way = (sum / count - a_.mesh.positions[v]) / 2;
+      if (v < a_.carrierVertices && way.norm() > step_) way *= step_ / way.norm();
+      next[k] = roundToFloat(a_.mesh.positions[v] + way);
     }
     for (std::size_t k = 0; k < ids.size(); ++k) a_.mesh.positions[ids[k]] = next[k];
     return ids;
