@@ -200,7 +200,7 @@ Solid solidOf(const TriangleMesh& surface, const SurfaceFacts& input, const Opti
               RunContext context, int threads, Stopwatch& watch) {
   context.enter(Stage::kSweeping, kChecked, kSwept);
   const TriangleMesh oriented = orientedFor(options.side, surface);
-  const ClosestPointTree tree(oriented);
+  const ClosestPointTree tree(oriented, threads);
   watch.lap("tree");
   std::optional<Solid> better, swept;
   if (options.method == Method::kReconstruct) {
@@ -237,7 +237,7 @@ std::vector<VertexId> trySweep(TriangleMesh surface, const Options& options, con
                                int threads) {
   surface = orientedFor(options.side, std::move(surface));
   try {
-    (void)sweep(surface, ClosestPointTree(surface), options.thickness, sweptSide(options.side), context,
+    (void)sweep(surface, ClosestPointTree(surface, threads), options.thickness, sweptSide(options.side), context,
                 threads, Polish::kNo);
   } catch (const Error& error) {
     const std::vector<VertexId> vertices = verticesWithoutRoom(error);

@@ -29,8 +29,9 @@ struct ClosestPoint {
 /// threads; the answer to a query does not depend on earlier ones.
 class ClosestPointTree {
  public:
-  /// `surface` must be welded, edge-manifold and without degenerate triangles. It is copied.
-  explicit ClosestPointTree(const TriangleMesh& surface);
+  /// `surface` must be welded, edge-manifold and without degenerate triangles. It is copied. The tree is the
+  /// same for any number of `threads` (0: all).
+  explicit ClosestPointTree(const TriangleMesh& surface, int threads = 1);
   ~ClosestPointTree();
   ClosestPointTree(ClosestPointTree&&) noexcept;
   ClosestPointTree& operator=(ClosestPointTree&&) noexcept;

@@ -10,10 +10,10 @@
 namespace thicken {
 
 struct ClosestPointTree::Impl {
-  explicit Impl(const TriangleMesh& s)
+  Impl(const TriangleMesh& s, int threads)
       : triangles(s.triangles),
-        tree(s.positions, s.triangles),
-        across(neighbours(s.positions.size(), s.triangles)),
+        tree(s.positions, s.triangles, threads),
+        across(neighbours(s.positions.size(), s.triangles, threads)),
         faceNormal(faceNormals(s.positions, s.triangles)),
         vertexNormal(vertexNormals(s.positions, s.triangles, faceNormal)),
         rimVertex(s.positions.size(), 0) {
@@ -30,7 +30,8 @@ struct ClosestPointTree::Impl {
   std::vector<std::uint8_t> rimVertex;
 };
 
-ClosestPointTree::ClosestPointTree(const TriangleMesh& surface) : impl_(std::make_unique<Impl>(surface)) {}
+ClosestPointTree::ClosestPointTree(const TriangleMesh& surface, int threads)
+    : impl_(std::make_unique<Impl>(surface, threads)) {}
 ClosestPointTree::~ClosestPointTree() = default;
 ClosestPointTree::ClosestPointTree(ClosestPointTree&&) noexcept = default;
 ClosestPointTree& ClosestPointTree::operator=(ClosestPointTree&&) noexcept = default;

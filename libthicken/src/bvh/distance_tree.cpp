@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "mesh/bounds.h"
+#include "parallel_for.h"
 
 namespace thicken {
 
@@ -43,7 +44,8 @@ float roundUp(double x) {
 }  // namespace
 
 // Splits ranges of triangles by the surface-area heuristic over 16 bins, then collapses every two
-// levels of the binary tree into one node of four children.
+// levels of the binary tree into one node of four children. Large subtrees are put off and built side by
+// side, each into lists of its own.
 struct DistanceTree::Builder {
   DistanceTree& tree;
   std::span<const Vec3> positions;
@@ -51,6 +53,10 @@ struct DistanceTree::Builder {
   std::vector<Bounds> boxes;
   std::vector<Vec3> middles;
   double slack = 0;
+  struct Lists {
+    std::vector<Node> nodes;
+    std::vector<Leaf> leaves;
+  };
 
   struct Range {
     std::uint32_t begin, end;
@@ -172,7 +178,7 @@ struct DistanceTree::Builder {
     return (r.begin + r.end) / 2;  // all middles coincide
   }
 
-  std::int32_t makeLeaf(const Range& r) {
+  [[nodiscard]] std::int32_t makeLeaf(const Range& r, Lists& lists) const {
     Leaf leaf{};
     leaf.first = r.begin;
     leaf.count = r.end - r.begin;
@@ -187,11 +193,42 @@ struct DistanceTree::Builder {
       put(0, p.normal, p.corner[0]);
       for (int k = 0; k < 3; ++k) put(1 + k, -p.side[k].stableNormalized(), p.corner[k]);
     }
-    tree.leaves_.push_back(leaf);
-    return static_cast<std::int32_t>(tree.leaves_.size() - 1);
+    lists.leaves.push_back(leaf);
+    return static_cast<std::int32_t>(lists.leaves.size() - 1);
   }
 
-  std::int32_t build(const Range& whole, int depth) {
+  struct Later {
+    Range range;
+    int depth;
+    std::int32_t parent;
+    int child;
+    Lists lists;
+  };
+  static constexpr std::uint32_t kPutOff = 4096;  // triangles of a subtree that is built by itself
+
+  void buildAll(const Range& whole, int threads) {
+    Lists top;
+    std::vector<Later> later;
+    build(whole, 0, top, &later);
+    parallelFor(later.size(), threads, RunContext(), 1,
+                [&](std::size_t i) { build(later[i].range, later[i].depth, later[i].lists, nullptr); });
+    tree.nodes_ = std::move(top.nodes);
+    tree.leaves_ = std::move(top.leaves);
+    for (const Later& part : later) {
+      const auto firstNode = static_cast<std::int32_t>(tree.nodes_.size());
+      const auto firstLeaf = static_cast<std::int32_t>(tree.leaves_.size());
+      tree.nodes_[static_cast<std::size_t>(part.parent)].child[part.child] = firstNode;
+      for (Node node : part.lists.nodes) {
+        for (std::int32_t& child : node.child)
+          if (child != kEmpty) child = child < 0 ? child - firstLeaf : child + firstNode;
+        tree.nodes_.push_back(node);
+      }
+      tree.leaves_.insert(tree.leaves_.end(), part.lists.leaves.begin(), part.lists.leaves.end());
+    }
+  }
+
+  // `later`: where subtrees that are small enough are put off to, if not nullptr.
+  std::int32_t build(const Range& whole, int depth, Lists& lists, std::vector<Later>* later) {
     std::vector<Range> parts{whole};
     while (parts.size() < static_cast<std::size_t>(kWidth)) {  // open the largest part until four
       std::size_t widest = parts.size();
@@ -207,20 +244,22 @@ struct DistanceTree::Builder {
       parts[widest] = {r.begin, mid, boxOf(r.begin, mid)};
       parts.push_back({mid, r.end, boxOf(mid, r.end)});
     }
-    const auto id = static_cast<std::int32_t>(tree.nodes_.size());
-    tree.nodes_.emplace_back();
+    const auto id = static_cast<std::int32_t>(lists.nodes.size());
+    lists.nodes.emplace_back();
     for (int k = 0; k < kWidth; ++k) {
       const bool used = static_cast<std::size_t>(k) < parts.size();
       std::int32_t child = kEmpty;
       if (used) {
         const Range& r = parts[static_cast<std::size_t>(k)];
         if (r.end - r.begin <= kLeafSize) {
-          child = -1 - makeLeaf(r);
+          child = -1 - makeLeaf(r, lists);
+        } else if (later != nullptr && r.end - r.begin <= kPutOff) {
+          later->push_back({r, depth + 1, id, k, {}});
         } else {
-          child = build(r, depth + 1);
+          child = build(r, depth + 1, lists, later);
         }
       }
-      Node& node = tree.nodes_[static_cast<std::size_t>(id)];
+      Node& node = lists.nodes[static_cast<std::size_t>(id)];
       node.child[k] = child;
       if (used) putBox(node, k, parts[static_cast<std::size_t>(k)]);
     }
@@ -228,7 +267,8 @@ struct DistanceTree::Builder {
   }
 };
 
-DistanceTree::DistanceTree(std::span<const Vec3> positions, std::span<const Triangle> triangles) {
+DistanceTree::DistanceTree(std::span<const Vec3> positions, std::span<const Triangle> triangles,
+                           int threads) {
   Builder builder{*this, positions, triangles, {}, {}, 0};
   builder.boxes.reserve(triangles.size());
   builder.middles.reserve(triangles.size());
@@ -247,7 +287,7 @@ DistanceTree::DistanceTree(std::span<const Vec3> positions, std::span<const Tria
   // A query as far as twice the extent away is rounded by less than this.
   builder.slack = (whole.high - whole.low).maxCoeff() * 2e-6;
   slack_ = roundUp(builder.slack);
-  builder.build({0, static_cast<std::uint32_t>(triangles.size()), whole}, 0);
+  builder.buildAll({0, static_cast<std::uint32_t>(triangles.size()), whole}, threads);
   prepared_.reserve(order_.size());
   placeOf_.resize(order_.size());
   for (std::uint32_t i = 0; i < order_.size(); ++i) {

@@ -23,7 +23,8 @@ class DistanceTree {
     TriangleId triangle;
   };
 
-  DistanceTree(std::span<const Vec3> positions, std::span<const Triangle> triangles);
+  /// The same for any number of `threads`.
+  DistanceTree(std::span<const Vec3> positions, std::span<const Triangle> triangles, int threads = 1);
 
   /// Improves `hit` by every triangle that is nearer than hit.closest.squaredDistance, or as near
   /// with a lower id. Returns whether there was one.

@@ -66,9 +66,9 @@ class Auditor {
     if (!coordinatesFinite()) return result_;
     const BadTriangles bad = badTriangles(mesh_, true, context_, threads_);
     judgeTriangles(bad);
-    const HalfEdges edges(mesh_.positions.size(), mesh_.triangles, bad.joined);
+    const HalfEdges edges(mesh_.positions.size(), mesh_.triangles, bad.joined, threads_);
     context_.throwIfCancelled();
-    judgeJoints(badJoints(mesh_, edges));
+    judgeJoints(badJoints(mesh_, edges, context_, threads_));
     judgeKept(edges);
     context_.throwIfCancelled();
     const exact::BoxTree tree(mesh_.positions, mesh_.triangles, threads_, bad.proper);

@@ -189,9 +189,9 @@ CheckResult check(const TriangleMesh& mesh, RunContext context, int threads) {
   const BadTriangles bad = badTriangles(mesh, finite, context, threads);
   context.advance(0.2);
   {
-    const HalfEdges edges(mesh.positions.size(), mesh.triangles, bad.joined);
+    const HalfEdges edges(mesh.positions.size(), mesh.triangles, bad.joined, threads);
     context.throwIfCancelled();
-    const BadJoints joints = badJoints(mesh, edges);
+    const BadJoints joints = badJoints(mesh, edges, context, threads);
     result.facts = factsOf(mesh, joints, finite);
     if (mesh.triangles.empty()) result.defects.push_back(emptyDefect());
     if (!finite) result.defects.push_back(notFinite(mesh, unfit));

@@ -60,32 +60,39 @@ std::vector<std::pair<TriangleId, TriangleId>> duplicates(const TriangleMesh& me
   return result;
 }
 
-// A vertex is pinched when the corners at it, joined across every edge that they share, remain in
-// more than one group.
-std::vector<VertexId> pinchedVertices(const TriangleMesh& mesh, const HalfEdges& edges) {
-  UnionFind corners(3 * mesh.triangles.size());
-  const auto next = [](std::uint32_t slot) { return slot % 3 == 2 ? slot - 2 : slot + 1; };
-  edges.forEachEdge([&](VertexId, VertexId, std::span<const HalfEdge> uses, std::span<const HalfEdge> back) {
-    const std::uint32_t atFrom = uses[0].slot, atTo = next(uses[0].slot);
-    for (const HalfEdge& e : uses.subspan(1)) {
-      corners.join(atFrom, e.slot);
-      corners.join(atTo, next(e.slot));
+// Whether the corners at a vertex, joined across every edge that they share, remain in more than one group.
+class PinchTest {
+ public:
+  explicit PinchTest(const TriangleMesh& mesh) : mesh_(mesh) {}
+
+  bool operator()(std::span<const HalfEdge> leaving) {
+    if (leaving.size() < 2) return false;
+    ends_.clear();
+    for (std::uint32_t i = 0; i < leaving.size(); ++i) {
+      ends_.emplace_back(leaving[i].to, i);
+      ends_.emplace_back(mesh_.triangles[leaving[i].triangle()][(leaving[i].corner() + 2) % 3], i);
     }
-    for (const HalfEdge& e : back) {
-      corners.join(atFrom, next(e.slot));
-      corners.join(atTo, e.slot);
-    }
-  });
-  std::vector<VertexId> result;
-  for (VertexId v = 0; v < mesh.positions.size(); ++v) {
-    const std::span<const HalfEdge> leaving = edges.from(v);
-    for (std::size_t i = 1; i < leaving.size(); ++i) {
-      if (corners.root(leaving[i].slot) == corners.root(leaving[0].slot)) continue;
-      result.push_back(v);
-      break;
-    }
+    std::sort(ends_.begin(), ends_.end());
+    corners_.reset(leaving.size());
+    std::size_t groups = leaving.size();
+    for (std::size_t i = 1; i < ends_.size(); ++i)
+      if (ends_[i].first == ends_[i - 1].first &&
+          corners_.root(ends_[i].second) != corners_.root(ends_[i - 1].second)) {
+        corners_.join(ends_[i].second, ends_[i - 1].second);
+        --groups;
+      }
+    return groups > 1;
   }
-  return result;
+
+ private:
+  const TriangleMesh& mesh_;
+  UnionFind corners_;
+  std::vector<std::pair<VertexId, std::uint32_t>> ends_;  ///< other end of an edge, number of a corner
+};
+
+template <class T>
+void append(std::vector<T>& all, const std::vector<T>& part) {
+  all.insert(all.end(), part.begin(), part.end());
 }
 
 }  // namespace
@@ -108,20 +115,38 @@ BadTriangles badTriangles(const TriangleMesh& mesh, bool finite, const RunContex
   return bad;
 }
 
-BadJoints badJoints(const TriangleMesh& mesh, const HalfEdges& edges) {
-  BadJoints bad;
-  edges.forEachEdge(
-      [&bad](VertexId a, VertexId b, std::span<const HalfEdge> uses, std::span<const HalfEdge> back) {
-        const std::size_t all = uses.size() + back.size();
-        if (all > 2)
-          bad.crowded.push_back({a, b});
-        else if (all == 1)
-          bad.rim.push_back({a, b});
-        else if (back.empty())
-          bad.sameSense.push_back({a, b});
-      });
-  bad.pinched = pinchedVertices(mesh, edges);
-  return bad;
+BadJoints badJoints(const TriangleMesh& mesh, const HalfEdges& edges, const RunContext& context,
+                    int threads) {
+  constexpr std::size_t kBlock = 4096;
+  const std::size_t count = mesh.positions.size(), blocks = (count + kBlock - 1) / kBlock;
+  std::vector<BadJoints> parts(blocks);
+  parallelFor(blocks, threads, context, 1, [&](std::size_t block) {
+    BadJoints& bad = parts[block];
+    PinchTest isPinched(mesh);
+    const auto judge = [&bad](VertexId a, VertexId b, std::span<const HalfEdge> uses,
+                              std::span<const HalfEdge> back) {
+      const std::size_t all = uses.size() + back.size();
+      if (all > 2)
+        bad.crowded.push_back({a, b});
+      else if (all == 1)
+        bad.rim.push_back({a, b});
+      else if (back.empty())
+        bad.sameSense.push_back({a, b});
+    };
+    const std::size_t end = std::min(count, (block + 1) * kBlock);
+    for (auto v = static_cast<VertexId>(block * kBlock); v < end; ++v) {
+      edges.forEachEdgeOf(v, judge);
+      if (isPinched(edges.from(v))) bad.pinched.push_back(v);
+    }
+  });
+  BadJoints all;
+  for (const BadJoints& part : parts) {
+    append(all.rim, part.rim);
+    append(all.crowded, part.crowded);
+    append(all.sameSense, part.sameSense);
+    append(all.pinched, part.pinched);
+  }
+  return all;
 }
 
 }  // namespace thicken

@@ -37,6 +37,7 @@ struct BadJoints {
   std::vector<Edge> sameSense;    ///< used twice in this direction
   std::vector<VertexId> pinched;  ///< more than one fan of triangles, which touch only there
 };
-[[nodiscard]] BadJoints badJoints(const TriangleMesh& mesh, const HalfEdges& edges);
+[[nodiscard]] BadJoints badJoints(const TriangleMesh& mesh, const HalfEdges& edges, const RunContext& context,
+                                  int threads);
 
 }  // namespace thicken

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "contour/face_matching.h"
+#include "mesh/parallel_sort.h"
 #include "mesh/topology.h"
 #include "mesh/union_find.h"
 
@@ -15,8 +16,9 @@ namespace {
 class Builder {
  public:
   Builder(const std::vector<Crossing>& crossings, const std::vector<RimWay>& ways, const UniformGrid& grid,
-          std::span<const Vec3> positions)
-      : crossings_(crossings),
+          std::span<const Vec3> positions, int threads)
+      : threads_(threads),
+        crossings_(crossings),
         ways_(ways),
         grid_(grid),
         positions_(positions),
@@ -31,7 +33,7 @@ class Builder {
   }
 
   DualSurface build() {
-    arcs_ = matchFaces(crossings_, passages_);
+    arcs_ = matchFaces(crossings_, passages_, threads_);
     joinSectors();
     numberVertices();
     divideDoubledEdges();
@@ -113,9 +115,12 @@ class Builder {
     std::vector<Dual> duals(arcs_.size());
     for (std::uint32_t i = 0; i < arcs_.size(); ++i)
       duals[i] = {vertexOf_[beside(arcs_[i].first, false)], vertexOf_[beside(arcs_[i].first, true)], i};
-    std::sort(duals.begin(), duals.end(), [](const Dual& x, const Dual& y) {
-      return x.a != y.a ? x.a < y.a : x.b != y.b ? x.b < y.b : x.arc < y.arc;
-    });
+    parallelSort(
+        duals,
+        [](const Dual& x, const Dual& y) {
+          return x.a != y.a ? x.a < y.a : x.b != y.b ? x.b < y.b : x.arc < y.arc;
+        },
+        threads_);
     const auto same = [&](std::size_t i, std::size_t j) {
       return j < duals.size() && duals[i].a == duals[j].a && duals[i].b == duals[j].b;
     };
@@ -203,6 +208,7 @@ class Builder {
     }
   }
 
+  int threads_;
   const std::vector<Crossing>& crossings_;
   const std::vector<RimWay>& ways_;
   const UniformGrid& grid_;
@@ -221,8 +227,8 @@ class Builder {
 }  // namespace
 
 DualSurface dualSurface(const std::vector<Crossing>& crossings, const std::vector<RimWay>& ways,
-                        const UniformGrid& grid, std::span<const Vec3> positions) {
-  return Builder(crossings, ways, grid, positions).build();
+                        const UniformGrid& grid, std::span<const Vec3> positions, int threads) {
+  return Builder(crossings, ways, grid, positions, threads).build();
 }
 
 }  // namespace thicken

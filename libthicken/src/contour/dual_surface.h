@@ -34,6 +34,6 @@ struct DualSurface {
 };
 
 [[nodiscard]] DualSurface dualSurface(const std::vector<Crossing>& crossings, const std::vector<RimWay>& ways,
-                                      const UniformGrid& grid, std::span<const Vec3> positions);
+                                      const UniformGrid& grid, std::span<const Vec3> positions, int threads);
 
 }  // namespace thicken

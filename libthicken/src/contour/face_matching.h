@@ -22,6 +22,6 @@ using Arc = std::pair<std::uint32_t, std::uint32_t>;
 
 /// `passages` in the order of the ways' visits. Arcs in the order of the faces' keys.
 [[nodiscard]] std::vector<Arc> matchFaces(const std::vector<Crossing>& crossings,
-                                          const std::vector<RimPassage>& passages);
+                                          const std::vector<RimPassage>& passages, int threads);
 
 }  // namespace thicken

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "contour/face_matching.h"
+#include "mesh/parallel_sort.h"
 #include "parallel_for.h"
 
 namespace thicken {
@@ -27,7 +28,7 @@ class Follower {
     std::vector<GridIndex> further;
     for (const Vec3& p : placed(seeds)) further.push_back(cellOf(p));
     followFrom(further);
-    std::sort(found_.begin(), found_.end(), inOrder);
+    parallelSort(found_, inOrder, threads_);
     return std::move(found_);
   }
 

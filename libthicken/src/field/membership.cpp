@@ -45,8 +45,10 @@ TriangleMesh beyondSurface(const TriangleMesh& carrier, std::size_t from, std::s
 }  // namespace
 
 Membership::Membership(const TriangleMesh& carrier, const ClosestPointTree& surface,
-                       std::size_t surfaceTriangles, double thickness)
-    : surface_(surface), beyond_(beyondSurface(carrier, surfaceTriangles, atRim_)), thickness_(thickness) {}
+                       std::size_t surfaceTriangles, double thickness, int threads)
+    : surface_(surface),
+      beyond_(beyondSurface(carrier, surfaceTriangles, atRim_), threads),
+      thickness_(thickness) {}
 
 Probe Membership::probe(const Vec3& p) const {
   const ClosestPoint c = *surface_.closest(p);

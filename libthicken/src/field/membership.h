@@ -33,7 +33,7 @@ class Membership {
   /// The first `surfaceTriangles` triangles of the carrier are those of the surface, in its order. `surface`
   /// is their tree; it must outlive this. Only what the carrier has beyond them gets a tree of its own.
   Membership(const TriangleMesh& carrier, const ClosestPointTree& surface, std::size_t surfaceTriangles,
-             double thickness);
+             double thickness, int threads = 1);
 
   [[nodiscard]] Probe probe(const Vec3& p) const;
   [[nodiscard]] double thickness() const { return thickness_; }

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "measure/shell_samples.h"
+#include "mesh/parallel_sort.h"
 #include "mesh/topology.h"
 #include "parallel_for.h"
 
@@ -23,10 +24,14 @@ struct Sample {
   double weight = 0;  // mm²
 };
 
-ErrorFacts summary(std::vector<Sample> samples) {
+ErrorFacts summary(std::vector<Sample> samples, int threads) {
   std::erase_if(samples, [](const Sample& s) { return s.error < 0; });
-  std::sort(samples.begin(), samples.end(),
-            [](const Sample& a, const Sample& b) { return a.error < b.error; });
+  parallelSort(
+      samples,
+      [](const Sample& a, const Sample& b) {
+        return a.error != b.error ? a.error < b.error : a.weight < b.weight;
+      },
+      threads);
   ErrorFacts facts;
   double total = 0;
   for (const Sample& s : samples) {
@@ -86,8 +91,8 @@ void measureShell(Solid& solid, const ClosestPointTree& tree, std::span<const do
     if (std::all_of(t.begin(), t.end(), [&](VertexId v) { return distance[v] >= kFull * r; }))
       full.insert(full.end(), &samples[each * i], &samples[each * i] + each);
   }
-  solid.report.shellError = summary(std::move(samples));
-  solid.report.shellErrorFullDepth = summary(std::move(full));
+  solid.report.shellError = summary(std::move(samples), threads);
+  solid.report.shellErrorFullDepth = summary(std::move(full), threads);
 }
 
 // The thinnest wall is the least distance of a shell vertex from S.

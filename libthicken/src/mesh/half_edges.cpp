@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <numeric>
 
+#include "parallel_for.h"
+
 namespace thicken {
 
 HalfEdges::HalfEdges(std::size_t vertexCount, std::span<const Triangle> triangles,
-                     std::span<const std::uint8_t> active)
+                     std::span<const std::uint8_t> active, int threads)
     : offset_(vertexCount + 1, 0) {
   const auto isActive = [active](std::size_t t) { return active.empty() || active[t] != 0; };
   for (std::size_t t = 0; t < triangles.size(); ++t)
@@ -20,11 +22,11 @@ HalfEdges::HalfEdges(std::size_t vertexCount, std::span<const Triangle> triangle
     if (isActive(t))
       for (std::uint32_t k = 0; k < 3; ++k)
         edges_[next[triangles[t][k]]++] = {triangles[t][(k + 1) % 3], 3 * t + k};
-  for (std::size_t v = 0; v < vertexCount; ++v) {
+  parallelFor(vertexCount, threads, RunContext(), 4096, [&](std::size_t v) {
     std::sort(
         edges_.begin() + offset_[v], edges_.begin() + offset_[v + 1],
         [](const HalfEdge& a, const HalfEdge& b) { return a.to != b.to ? a.to < b.to : a.slot < b.slot; });
-  }
+  });
 }
 
 std::span<const HalfEdge> HalfEdges::uses(VertexId from, VertexId to) const {

@@ -23,7 +23,7 @@ class HalfEdges {
  public:
   /// `active[t] == 0` leaves triangle t out (empty span: all are in).
   HalfEdges(std::size_t vertexCount, std::span<const Triangle> triangles,
-            std::span<const std::uint8_t> active = {});
+            std::span<const std::uint8_t> active = {}, int threads = 1);
 
   /// All uses of the edge in this direction, by ascending slot.
   [[nodiscard]] std::span<const HalfEdge> uses(VertexId from, VertexId to) const;
@@ -37,14 +37,18 @@ class HalfEdges {
   /// The edge ab is used at least once.
   template <class Visit>
   void forEachEdge(Visit visit) const {
-    for (VertexId a = 0; a + 1 < offset_.size(); ++a) {
-      const std::span<const HalfEdge> leaving = from(a);
-      for (std::size_t i = 0, j = 0; i < leaving.size(); i = j) {
-        const VertexId b = leaving[i].to;
-        while (j < leaving.size() && leaving[j].to == b) ++j;
-        const std::span<const HalfEdge> back = uses(b, a);
-        if (a < b || back.empty()) visit(a, b, leaving.subspan(i, j - i), back);
-      }
+    for (VertexId a = 0; a + 1 < offset_.size(); ++a) forEachEdgeOf(a, visit);
+  }
+
+  /// The part of forEachEdge() that belongs to `a`.
+  template <class Visit>
+  void forEachEdgeOf(VertexId a, Visit& visit) const {
+    const std::span<const HalfEdge> leaving = from(a);
+    for (std::size_t i = 0, j = 0; i < leaving.size(); i = j) {
+      const VertexId b = leaving[i].to;
+      while (j < leaving.size() && leaving[j].to == b) ++j;
+      const std::span<const HalfEdge> back = uses(b, a);
+      if (a < b || back.empty()) visit(a, b, leaving.subspan(i, j - i), back);
     }
   }
 

@@ -5,6 +5,7 @@
 
 #include "mesh/half_edges.h"
 #include "mesh/union_find.h"
+#include "parallel_for.h"
 
 namespace thicken {
 
@@ -22,15 +23,15 @@ VertexTriangles vertexTriangles(std::size_t vertexCount, std::span<const Triangl
 }
 
 std::vector<std::array<TriangleId, 3>> neighbours(std::size_t vertexCount,
-                                                  std::span<const Triangle> triangles) {
-  const HalfEdges edges(vertexCount, triangles);
+                                                  std::span<const Triangle> triangles, int threads) {
+  const HalfEdges edges(vertexCount, triangles, {}, threads);
   std::vector<std::array<TriangleId, 3>> result(triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
+  parallelFor(triangles.size(), threads, RunContext(), 4096, [&](std::size_t t) {
     for (int k = 0; k < 3; ++k) {
       const auto opposite = edges.uses(triangles[t][(k + 1) % 3], triangles[t][k]);
       result[t][k] = opposite.empty() ? kNone : opposite.front().triangle();
     }
-  }
+  });
   return result;
 }
 

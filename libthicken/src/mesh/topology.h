@@ -27,7 +27,8 @@ struct VertexTriangles {
 /// Neighbour of each triangle across its edge k (from corner k to corner k + 1): the triangle that
 /// uses the edge in the other direction, or kNone on the rim. Requires an edge-manifold, oriented mesh.
 [[nodiscard]] std::vector<std::array<TriangleId, 3>> neighbours(std::size_t vertexCount,
-                                                                std::span<const Triangle> triangles);
+                                                                std::span<const Triangle> triangles,
+                                                                int threads = 1);
 
 /// One use of an edge by a triangle without an opposite use, in the triangle's direction.
 struct RimEdge {

@@ -13,7 +13,13 @@ namespace thicken {
 
 class UnionFind {
  public:
-  explicit UnionFind(std::size_t count) : up_(count) { std::iota(up_.begin(), up_.end(), 0u); }
+  explicit UnionFind(std::size_t count = 0) { reset(count); }
+
+  /// Every number alone again.
+  void reset(std::size_t count) {
+    up_.resize(count);
+    std::iota(up_.begin(), up_.end(), 0u);
+  }
 
   [[nodiscard]] std::uint32_t root(std::uint32_t i) {
     while (up_[i] != i) i = up_[i] = up_[up_[i]];

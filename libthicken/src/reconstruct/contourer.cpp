@@ -103,7 +103,7 @@ Contour Contourer::attempt(const Carrier& carrier, const Membership& membership,
   recall(made.crossings);
   placeCrossings(made.crossings, grid_, *field_, membership, context_, threads_);
   last_ = made.crossings;
-  made.dual = dualSurface(made.crossings, made.ways, grid_, carrier.mesh.positions);
+  made.dual = dualSurface(made.crossings, made.ways, grid_, carrier.mesh.positions, threads_);
   return made;
 }
 

@@ -149,9 +149,13 @@ std::optional<Reconstruction> complete(const TriangleMesh& surface, const Closes
                                        const SweepResult& swept, std::vector<std::uint8_t> keep, double area,
                                        double width, const Options& options, const RunContext& context,
                                        int threads, Stopwatch& watch) {
-  separateFans(swept, keep);
   std::vector<std::uint8_t> isShell(keep.size());
-  for (std::size_t t = 0; t < keep.size(); ++t) isShell[t] = swept.region[t] == Region::kShell;
+  bool anyShell = false;
+  for (std::size_t t = 0; t < keep.size(); ++t) {
+    isShell[t] = swept.region[t] == Region::kShell;
+    anyShell |= isShell[t] && keep[t];
+  }
+  if (anyShell) separateFans(swept, keep);  // S and its walls have none to separate
   const exact::BoxTree shell(swept.mesh.positions, swept.mesh.triangles, threads, isShell);
   Attempt attempt(surface, tree, swept, options, width, context, threads);
   int refinements = 0, yields = 0;
