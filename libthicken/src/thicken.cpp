@@ -220,7 +220,8 @@ Solid solidOf(const TriangleMesh& surface, const SurfaceFacts& input, const Opti
   watch.lap("audit");
 
   context.enter(Stage::kMeasuring, kAudited, 1);
-  measure(solid, oriented, tree, context, threads);
+  measure(solid, oriented, tree, options.tolerance ? Measure::kAll : Measure::kRepresentative, context,
+          threads);
   requireTolerance(solid, options);
   watch.lap("measure");
   return solid;
@@ -237,8 +238,8 @@ std::vector<VertexId> trySweep(TriangleMesh surface, const Options& options, con
                                int threads) {
   surface = orientedFor(options.side, std::move(surface));
   try {
-    (void)sweep(surface, ClosestPointTree(surface, threads), options.thickness, sweptSide(options.side), context,
-                threads, Polish::kNo);
+    (void)sweep(surface, ClosestPointTree(surface, threads), options.thickness, sweptSide(options.side),
+                context, threads, Polish::kNo);
   } catch (const Error& error) {
     const std::vector<VertexId> vertices = verticesWithoutRoom(error);
     if (vertices.empty()) throw;

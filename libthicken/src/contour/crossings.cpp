@@ -14,6 +14,8 @@ namespace {
 
 constexpr double kEndOfSearch = 1.0 / 128;  // of a cell
 constexpr double kCloseEnough = 1e-4;       // of r
+constexpr double kNear = 2e-3;              // of r
+constexpr double kSteep = 0.25;             // distance from S per way along an edge
 constexpr int kMostSteps = 12;
 
 // Closes in on one crossing along its edge.
@@ -86,6 +88,12 @@ class CrossingSolver {
       const double slope = (s.p[s.axis] - e.probe.closest[s.axis]) / e.probe.distance;
       x -= miss / slope;
       const double low = std::min(s.in.x, s.out.x), high = std::max(s.in.x, s.out.x);
+      // One more step of this size needs no look at where it leads: what is left is its square, in r.
+      if (std::abs(miss) < kNear * r_ && std::abs(slope) > kSteep && x >= low && x <= high) {
+        s.in = s.out = {x, e.probe, true};
+        s.out.probe.standing = Standing::kFar;
+        return true;
+      }
       if (!(x > low && x < high)) x = step % 3 == 2 ? (s.in.x + s.out.x) / 2 : secant(s);
     }
     return true;

@@ -65,14 +65,19 @@ std::vector<double> shellDistances(const Solid& solid, const ClosestPointTree& t
 }
 
 // The error over the whole shell, and over the triangles whose corners are all as deep as asked.
-void measureShell(Solid& solid, const ClosestPointTree& tree, std::span<const double> distance,
+void measureShell(Solid& solid, const ClosestPointTree& tree, std::span<const double> distance, Measure what,
                   const RunContext& context, int threads) {
   constexpr double kFull = 0.99;
+  constexpr std::size_t kEnough = 50000;  // triangles that represent a shell of many
   const double r = solid.report.thickness;
   std::vector<TriangleId> shell;
   for (TriangleId t = 0; t < solid.region.size(); ++t)
     if (solid.region[t] == Region::kShell) shell.push_back(t);
   const std::size_t each = shellSamplesPerTriangle(shell.size());
+  if (const std::size_t step = shell.size() / kEnough; what == Measure::kRepresentative && step > 1) {
+    for (std::size_t i = 0; step * i < shell.size(); ++i) shell[i] = shell[step * i];
+    shell.resize((shell.size() + step - 1) / step);
+  }
   std::vector<Sample> samples(each * shell.size());
   parallelFor(shell.size(), threads, context, 512, [&](std::size_t i) {
     const Triangle& t = solid.mesh.triangles[shell[i]];
@@ -134,7 +139,7 @@ double areaOf(const TriangleMesh& mesh) {
   return area;
 }
 
-void measure(Solid& solid, const TriangleMesh& surface, const ClosestPointTree& tree,
+void measure(Solid& solid, const TriangleMesh& surface, const ClosestPointTree& tree, Measure what,
              const RunContext& context, int threads) {
   Report& report = solid.report;
   report.triangles = solid.mesh.triangles.size();
@@ -147,7 +152,7 @@ void measure(Solid& solid, const TriangleMesh& surface, const ClosestPointTree& 
   report.volume = volumeOf(solid.mesh);
   report.area = areaOf(solid.mesh);
   const auto distance = shellDistances(solid, tree, context, threads);
-  measureShell(solid, tree, distance, context, threads);
+  measureShell(solid, tree, distance, what, context, threads);
   findThinnest(solid, distance);
   report.thinShare = thinShare(solid, surface);
 }

@@ -15,10 +15,14 @@ namespace thicken {
 /// Area (mm²).
 [[nodiscard]] double areaOf(const TriangleMesh& mesh);
 
+/// Of a shell of very many triangles: whether the error is taken on all of them, for its largest value, or on
+/// some tens of thousands, which have its mean and its 99th percentile as well.
+enum class Measure : std::uint8_t { kRepresentative, kAll };
+
 /// Fills the output part of `solid.report` from the mesh, its regions and its depths. `surface` is S as
 /// it was thickened, `tree` its tree. Shell points whose closest point lies on the rim belong to the
 /// wall and do not count as shell error (paper §4.2, Remark 4).
 void measure(Solid& solid, const TriangleMesh& surface, const ClosestPointTree& tree,
-             const RunContext& context, int threads);
+             Measure what, const RunContext& context, int threads);
 
 }  // namespace thicken
