@@ -161,6 +161,8 @@ Reconstruction complete(const TriangleMesh& surface, const ClosestPointTree& tre
                                      depths(surface, tree, options.thickness, context, threads));
       result.rounds = round;
       result.cell = width;
+      result.cells = attempt.field().cells();
+      result.nodes = attempt.field().size();
       result.predicted = fieldBytes(area, width);
       return result;
     }
