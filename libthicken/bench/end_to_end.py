@@ -12,10 +12,12 @@ both see the same machine, with the same cell width and thickness; figures are m
 total    everything from reading to writing, seconds
 compute  tree, sweep, field, faces, shape and the exact audit; the others are read, check, measure, write
 rival    its grid and its mesh, without reading and writing; it keeps no surface and proves nothing
+cpu      seconds of all threads of the whole process, its and ours; others on the machine change them least
 """
 
 import argparse
 import json
+import resource
 import statistics
 import subprocess
 import tempfile
@@ -24,7 +26,14 @@ from pathlib import Path
 from models import MODELS, Refused, reconstruct, surface_facts, table_thickness
 
 COMPUTE = ("tree", "sweep", "field", "faces", "shape", "audit")
+GROWING = ("compute", "cpu", "mib", "nodes", "rival", "rival_cpu", "rival_mib")
 MIB = 1024 * 1024
+
+
+def processor_seconds() -> float:
+    """Of all programs that were run so far."""
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
 
 
 def figures(report: dict) -> dict:
@@ -44,9 +53,15 @@ def figures(report: dict) -> dict:
 
 
 def rival_figures(rival: str, model: Path, thickness: float, cell: float) -> dict:
+    before = processor_seconds()
     done = subprocess.run([rival, model, repr(thickness), repr(cell)], capture_output=True, text=True, check=True)
     facts = json.loads(done.stdout.strip().splitlines()[-1])
-    return {"rival": facts["grid_s"] + facts["mesh_s"], "rival_mib": facts["rss_mb"], "rival_active": facts["active"]}
+    return {
+        "rival": facts["grid_s"] + facts["mesh_s"],
+        "rival_cpu": processor_seconds() - before,
+        "rival_mib": facts["rss_mb"],
+        "rival_active": facts["active"],
+    }
 
 
 def medians(runs: list[dict]) -> dict:
@@ -66,7 +81,9 @@ class Case:
     def run(self, *more: str) -> dict:
         with tempfile.TemporaryDirectory() as folder:
             out = Path(folder) / "out.ply"
-            return figures(reconstruct(self.options.program, self.model, out, self.thickness, self.resolution, *more))
+            before = processor_seconds()
+            report = reconstruct(self.options.program, self.model, out, self.thickness, self.resolution, *more)
+            return {**figures(report), "cpu": processor_seconds() - before}
 
     def beside_rival(self) -> dict:
         runs = []
@@ -81,36 +98,41 @@ class Case:
         for _ in range(self.options.repeat):
             for count in counts:
                 runs[count].append(self.run("--threads", count))
-        return {count: {"model": self.name, "resolution": self.resolution, **medians(of)} for count, of in runs.items()}
+        named = {"model": self.name, "resolution": self.resolution}
+        return {count: {**named, **medians(of)} for count, of in runs.items()}
 
 
 def sums(rows: list[dict]) -> str:
-    total, compute, rival = (sum(row[key] for row in rows) for key in ("total", "compute", "rival"))
+    total, compute, cpu, rival, rival_cpu = (
+        sum(row[key] for row in rows) for key in ("total", "compute", "cpu", "rival", "rival_cpu"))  # fmt: skip
     return (f"{'sum':24}{rows[0]['resolution']:6} | {total:8.2f} {compute:8.2f} | {rival:8.2f} | "
-            f"ratio of the sums: total {total / rival:.2f}, compute {compute / rival:.2f}; "
+            f"ratio of the sums: total {total / rival:.2f}, compute {compute / rival:.2f}, "
+            f"cpu {cpu / rival_cpu:.2f}; "
             f"memory at most {max(row['mib'] / row['rival_mib'] for row in rows):.2f}")  # fmt: skip
 
 
 def print_beside_rival(row: dict) -> None:
     stages = " ".join(f"{row[stage]:6.2f}" for stage in COMPUTE)
     print(f"{row['model']:24}{row['resolution']:6} | {row['total']:8.2f} {row['compute']:8.2f} | {row['rival']:8.2f} | "
-          f"{row['total'] / row['rival']:5.2f} {row['compute'] / row['rival']:5.2f} | {stages} | {row['mib']:6.0f} "
-          f"{row['rival_mib']:6.0f} {row['mib'] / row['rival_mib']:5.2f} | {row['triangles']:9.0f} {row['cells']:9.0f} "
-          f"{row['nodes']:9.0f} | {row['rival_active']:9.0f}", flush=True)  # fmt: skip
+          f"{row['total'] / row['rival']:5.2f} {row['compute'] / row['rival']:5.2f} "
+          f"{row['cpu'] / row['rival_cpu']:5.2f} | {stages} | {row['mib']:6.0f} "
+          f"{row['rival_mib']:6.0f} {row['mib'] / row['rival_mib']:5.2f} | "
+          f"{row['triangles']:9.0f} {row['cells']:9.0f} "
+          f"{row['nodes']:9.0f} {row['rounds']:6.0f} | {row['rival_active']:9.0f}", flush=True)  # fmt: skip
 
 
 def print_growth(rows: list[dict]) -> None:
     """How figures grow from one resolution of a model to the next."""
     for one, next_ in zip(rows, rows[1:]):
         if one["model"] == next_["model"]:
-            growth = ", ".join(f"{key} {next_[key] / one[key]:.2f}" for key in ("compute", "mib", "nodes", "rival", "rival_mib"))
+            growth = ", ".join(f"{key} {next_[key] / one[key]:.2f}" for key in GROWING)
             print(f"{one['model']:24} {one['resolution']} to {next_['resolution']}: {growth}")
 
 
 def compare_with_rival(options: argparse.Namespace, cases: list[Case]) -> list[dict]:
-    print(f"{'model':24}{'cells':>6} | {'total':>8} {'compute':>8} | {'rival':>8} | ratios      | "
+    print(f"{'model':24}{'cells':>6} | {'total':>8} {'compute':>8} | {'rival':>8} | ratios        cpu | "
           + " ".join(f"{stage:>6}" for stage in COMPUTE)
-          + " |    MiB  rival ratio | triangles     cells     nodes | rival's voxels")  # fmt: skip
+          + " |    MiB  rival ratio | triangles     cells     nodes rounds | rival's voxels")  # fmt: skip
     rows = []
     for case in cases:
         try:
