@@ -137,6 +137,7 @@ std::string toJson(const Report& report) {
   json["input"] = surfaceFacts(report.input);
   json["repair"] = repairFacts(report.repair);
   json["parameters"] = parameters(report);
+  json["field"] = {{"cells", report.fieldCells}, {"nodes", report.fieldNodes}};
   json["seconds"] = stages(report.seconds);
   json["memory"] = {{"predicted_bytes", report.predictedMemory}, {"peak_bytes", report.peakMemory}};
   json["output"] = outputFacts(report);

@@ -27,6 +27,8 @@ Report sampleReport() {
   report.side = Side::kBoth;
   report.method = Method::kSweep;
   report.threads = 3;
+  report.fieldCells = 70;
+  report.fieldNodes = 90;
   report.seconds = {{"check", 0.5}, {"sweep", 1}, {"check", 0.25}};
   report.predictedMemory = 1000;
   report.triangles = 30;
@@ -87,6 +89,8 @@ TEST(Report, HoldsTheFactsUnderTheirNames) {
   EXPECT_EQ(report["parameters"]["method"], "sweep");
   EXPECT_EQ(report["parameters"]["threads"], 3);
   EXPECT_TRUE(report["parameters"]["cell_mm"].is_null()) << "no field was computed";
+  EXPECT_EQ(report["field"]["cells"], 70);
+  EXPECT_EQ(report["field"]["nodes"], 90);
   EXPECT_EQ(report["output"]["volume_mm3"], 2500);
   EXPECT_EQ(report["output"]["volume_ml"], 2.5);
   EXPECT_EQ(report["output"]["original_triangles"], 12);

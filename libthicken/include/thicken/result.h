@@ -50,8 +50,9 @@ struct Report {
   std::optional<RepairFacts> repair;  ///< with Options::repair: what was done to it
   double thickness = 0;               ///< mm
   Side side = Side::kNegative;
-  Method method = Method::kAuto;  ///< the one that was used
-  double cell = 0;                ///< mm; 0 where no field was computed
+  Method method = Method::kAuto;               ///< the one that was used
+  double cell = 0;                             ///< mm; 0 where no field was computed
+  std::size_t fieldCells = 0, fieldNodes = 0;  ///< of the grid, that the field was needed at
   int threads = 0;
   std::vector<std::pair<std::string, double>> seconds;  ///< stage, seconds; in order
   std::size_t predictedMemory = 0;                      ///< bytes

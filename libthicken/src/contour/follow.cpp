@@ -70,6 +70,7 @@ class Follower {
   void follow() {
     while (done_ < cells_.size()) {
       const std::size_t end = cells_.size(), firstEdge = edges_.size();
+      field_.countCells(end - done_);
       for (; done_ < end; ++done_) enter(UniformGrid::indexOf(cells_.keys()[done_]));
       field_.evaluate(membership_, context_, threads_);
       examine(firstEdge);

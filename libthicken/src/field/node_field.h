@@ -50,6 +50,10 @@ class NodeField {
   /// The node (UniformGrid::key) of a number.
   [[nodiscard]] std::uint64_t key(std::uint32_t i) const { return index_.keys()[i]; }
 
+  /// What the field has cost: cells that were looked at, in every attempt, and nodes that it is known at.
+  void countCells(std::size_t more) { cells_ += more; }
+  [[nodiscard]] std::size_t cells() const { return cells_; }
+
   /// Evaluates the nodes that are wanted.
   void evaluate(const Membership& membership, const RunContext& context, int threads);
 
@@ -61,6 +65,7 @@ class NodeField {
   KeyIndex index_;
   std::vector<Sample> samples_;
   std::vector<std::uint32_t> wanted_;
+  std::size_t cells_ = 0;
 };
 
 }  // namespace thicken

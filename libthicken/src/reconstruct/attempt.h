@@ -29,6 +29,7 @@ class Attempt {
   bool liftWalls(std::span<const TriangleId> meeting);
 
   [[nodiscard]] const Assembly& assembly() const { return assembly_; }
+  [[nodiscard]] const NodeField& field() const { return contourer_.field(); }
 
  private:
   [[nodiscard]] std::vector<TriangleId> crowdedTriangles() const;

@@ -167,6 +167,8 @@ std::optional<Reconstruction> complete(const TriangleMesh& surface, const Closes
                                      depths(surface, tree, options.thickness, context, threads));
       result.rounds = round;
       result.cell = width;
+      result.cells = attempt.field().cells();
+      result.nodes = attempt.field().size();
       result.predicted = fieldBytes(area, width);
       return result;
     }

@@ -24,6 +24,8 @@ struct Reconstruction {
   std::vector<double> depth;   ///< mm per vertex of S
   std::size_t rounds = 0;      ///< of local refinement
   double cell = 0;             ///< width, mm
+  std::size_t cells = 0;       ///< that the contour was followed through, in every attempt
+  std::size_t nodes = 0;       ///< that the field is known at
   std::size_t predicted = 0;   ///< bytes for the field and its contour, beyond the sweep's
 };
 
