@@ -71,7 +71,12 @@ class Follower {
     while (done_ < cells_.size()) {
       const std::size_t end = cells_.size(), firstEdge = edges_.size();
       field_.countCells(end - done_);
-      for (; done_ < end; ++done_) enter(UniformGrid::indexOf(cells_.keys()[done_]));
+      for (; done_ < end; ++done_) {
+        if (done_ + kAhead < end)
+          for (int c = 0; c < 8; ++c)
+            field_.prefetch(nodeOf(UniformGrid::indexOf(cells_.keys()[done_ + kAhead]), c));
+        enter(UniformGrid::indexOf(cells_.keys()[done_]));
+      }
       field_.evaluate(membership_, context_, threads_);
       examine(firstEdge);
     }
@@ -85,9 +90,7 @@ class Follower {
   // Lists the cell's nodes and edges that no cell before it had.
   void enter(const GridIndex& cell) {
     std::array<std::uint32_t, 8> corner{};
-    for (int c = 0; c < 8; ++c)
-      corner[c] =
-          field_.want(UniformGrid::key({cell[0] + (c & 1), cell[1] + (c >> 1 & 1), cell[2] + (c >> 2)}));
+    for (int c = 0; c < 8; ++c) corner[c] = field_.want(nodeOf(cell, c));
     listed_.resize(field_.size(), 0);
     for (int axis = 0; axis < 3; ++axis)
       for (int c = 0; c < 8; ++c) {
@@ -108,14 +111,25 @@ class Follower {
       crossEdge(grid_, field_, key, e.low, e.high, carrier_.of(key), parts[i / kGrain]);
     });
     for (const auto& part : parts)
-      for (const Crossing& c : part) {
-        found_.push_back(c);
-        const GridIndex n = UniformGrid::indexOf(c.edge >> 2);
-        for (int k = 0; k < 4; ++k) {
-          const GridIndex o = sectorOffset(static_cast<int>(c.edge & 3), k);
-          crossed_[addCell(UniformGrid::key({n[0] + o[0], n[1] + o[1], n[2] + o[2]}))] = 1;
-        }
+      for (std::size_t i = 0; i < part.size(); ++i) {
+        if (i + kAhead < part.size())
+          for (int k = 0; k < 4; ++k) cells_.prefetch(cellAround(part[i + kAhead].edge, k));
+        found_.push_back(part[i]);
+        for (int k = 0; k < 4; ++k) crossed_[addCell(cellAround(part[i].edge, k))] = 1;
       }
+  }
+
+  static constexpr std::size_t kAhead = 8;  // cells or crossings whose look-ups are prepared
+
+  // Corner c of a cell.
+  [[nodiscard]] static std::uint64_t nodeOf(const GridIndex& cell, int c) {
+    return UniformGrid::key({cell[0] + (c & 1), cell[1] + (c >> 1 & 1), cell[2] + (c >> 2)});
+  }
+
+  // The cell in sector k of an edge.
+  [[nodiscard]] static std::uint64_t cellAround(std::uint64_t edge, int k) {
+    const GridIndex n = UniformGrid::indexOf(edge >> 2), o = sectorOffset(static_cast<int>(edge & 3), k);
+    return UniformGrid::key({n[0] + o[0], n[1] + o[1], n[2] + o[2]});
   }
 
   struct Edge {

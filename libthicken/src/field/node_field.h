@@ -39,6 +39,7 @@ class NodeField {
     }
     return i;
   }
+  void prefetch(std::uint64_t node) const { index_.prefetch(node); }
   [[nodiscard]] const Sample& operator[](std::uint32_t i) const { return samples_[i]; }
   /// Calls visit(place, sample) for every node, in the order in which they were wanted.
   template <class Visit>
