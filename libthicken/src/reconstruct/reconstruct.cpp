@@ -194,7 +194,7 @@ constexpr double kCellError = 0.15;
 
 // Error of the sweep's shell that is left as it is, in r.
 double errorToLeave(const Options& options) {
-  constexpr double kEnough = 0.01;
+  constexpr double kEnough = 1.5e-3;
   constexpr double kFinest = 5e-4;
   if (!options.tolerance) return kEnough;
   return std::clamp(*options.tolerance / (2 * options.thickness), kFinest, kEnough);
