@@ -96,7 +96,7 @@ void addRepairWarning(Report& report) {
     changes += fmt::format("{}{} {}", changes.empty() ? "" : ", ", change.count, name(change.kind));
   const double share = report.input.area > 0 ? facts.removedArea / report.input.area : 0;
   report.warnings.push_back(
-      fmt::format("the surface was repaired ({}): {} triangles with {:.2g} % of its area were removed",
+      fmt::format("the surface was repaired ({}): {} triangles with {:.3g} % of its area were removed",
                   changes, facts.removed, 100 * share));
 }
 
@@ -108,7 +108,7 @@ void addWarnings(Report& report) {
   report.warnings.push_back(
       fmt::format("the solid is thinner than asked in places: the thinnest wall is {:.4g} mm at ({:.6g}, "
                   "{:.6g}, {:.6g}), and "
-                  "{:.2g} % of the surface has less than 0.9 of the thickness below it",
+                  "{:.3g} % of the surface has less than 0.9 of the thickness below it",
                   report.thinnestWall, p.x(), p.y(), p.z(), 100 * report.thinShare));
 }
 

@@ -136,6 +136,15 @@ TEST(HostileFile, EndsWellWithAnyBytesChanged) {
   EXPECT_GT(refused, 500u);
 }
 
+TEST(HostileFile, EndsSoonWhenAHeaderNamesManyElements) {
+  const ScratchFolder folder;
+  std::string header = "ply\nformat ascii 1.0\n";
+  for (int i = 0; i < 200000; ++i) header += "element e" + std::to_string(i) + " 0\n";
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_CONTAINS(refusalOf(folder.put("a.ply", header + "element e7 0\nend_header\n")), "second element");
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
+}
+
 TEST(HostileFile, EndsSoonWhenAPolygonIsATangle) {
   const ScratchFolder folder;
   std::mt19937 random(12);

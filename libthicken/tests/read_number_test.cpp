@@ -39,6 +39,21 @@ TEST(NumberText, RoundsWhatIsOutOfRangeAsIeeeDoes) {
   EXPECT_EQ(toDouble("5e-324"), std::numeric_limits<double>::denorm_min());
   EXPECT_EQ(toFloat("1e39"), std::numeric_limits<float>::infinity());
   EXPECT_EQ(toFloat("1e-50"), 0.0f);
+  EXPECT_EQ(toFloat("1e-45"), std::numeric_limits<float>::denorm_min());
+  EXPECT_TRUE(std::signbit(*toDouble("-1e-400")));
+}
+
+// Also beyond what any type of the machine holds.
+TEST(NumberText, RoundsWhatIsFarOutOfRange) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(toDouble("1e5000"), kInfinity);
+  EXPECT_EQ(toDouble("-1E+99999999999999999999"), -kInfinity);
+  EXPECT_EQ(toDouble("1e-5000"), 0);
+  EXPECT_EQ(toDouble("1e-99999999999999999999"), 0);
+  EXPECT_EQ(toDouble('1' + std::string(5000, '0')), kInfinity);
+  EXPECT_EQ(toDouble("0." + std::string(5000, '0') + '1'), 0);
+  EXPECT_EQ(toDouble("0." + std::string(5000, '0') + "1e9999"), kInfinity);
+  EXPECT_EQ(toDouble('1' + std::string(5000, '0') + "e-9999"), 0);
 }
 
 TEST(NumberText, RefusesWhatIsNoNumber) {

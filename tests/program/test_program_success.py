@@ -93,6 +93,13 @@ class Success(ProgramCase):
             self.assertIn(f"thicken: warning: {warning}", run.stderr)
         self.assertEqual(self.run_program(*arguments, "--quiet").stderr, "")
 
+    def test_a_wall_that_is_thin_everywhere_is_said_to_be_so_on_100_percent(self):
+        fold = ([(0, 0, 0), (0, 9, 0), (9, 4, 0), (9, 4, 1)], [(0, 1, 2), (1, 0, 3)])
+        write_off(self.folder / "in.off", fold)
+        run = self.run_program("in.off", "out.stl", "--thickness", 1, "--method", "sweep")
+        self.assert_ok(run)
+        self.assertIn(" 100 % of the surface", run.stderr)
+
     def test_the_same_bytes_for_any_number_of_threads(self):
         write_ply(self.folder / "in.ply", wave(40, height=6))
         outputs = []

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "io/number_text.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <limits>
 
 namespace thicken::io {
 namespace {
@@ -11,6 +13,21 @@ namespace {
 std::string_view withoutPlus(std::string_view word) {
   if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
   return word;
+}
+
+// Of a number beyond the range of its type: whether it is too large, and not too small.
+bool isLarge(std::string_view word) {
+  const std::size_t mark = std::min(word.find_first_of("eE"), word.size());
+  std::int64_t exponent = 0;
+  if (mark < word.size()) {
+    const std::string_view text = withoutPlus(word.substr(mark + 1));
+    const auto result = std::from_chars(text.data(), text.data() + text.size(), exponent);
+    if (result.ec == std::errc::result_out_of_range) return text[0] != '-';
+  }
+  const std::string_view digits = word.substr(0, mark);
+  const auto first = static_cast<std::int64_t>(digits.find_first_of("123456789"));
+  const auto point = static_cast<std::int64_t>(std::min(digits.find('.'), digits.size()));
+  return exponent > first - point;
 }
 
 template <class T>
@@ -22,10 +39,9 @@ std::optional<T> parsed(std::string_view text) {
   if (result.ptr != end || word.empty()) return {};
   if (result.ec == std::errc()) return value;
   if (result.ec != std::errc::result_out_of_range) return {};
-  // Out of range leaves the value alone, whichever end it was; a wider type tells the ends apart.
-  long double wide = 0;
-  if (std::from_chars(word.data(), end, wide).ec != std::errc()) return {};
-  return static_cast<T>(wide);
+  // std::from_chars does not tell at which end.
+  const T magnitude = isLarge(word) ? std::numeric_limits<T>::infinity() : T(0);
+  return word[0] == '-' ? -magnitude : magnitude;
 }
 
 template <class T>

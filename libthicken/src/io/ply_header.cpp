@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <unordered_set>
 
 #include "io/number_text.h"
 #include "io/text_scanner.h"
@@ -108,9 +109,7 @@ class HeaderReader {
     const auto count = toInteger(number);
     if (!count || *count < 0)
       fail("the number of elements " + quotedWord(name) + " is " + quotedWord(number));
-    if (std::ranges::find(header_.elements, name, &PlyElement::name) != header_.elements.end()) {
-      fail("there is a second element " + quotedWord(name));
-    }
+    if (!names_.emplace(name).second) fail("there is a second element " + quotedWord(name));
     header_.elements.push_back({std::string(name), static_cast<std::size_t>(*count), {}});
   }
 
@@ -134,6 +133,7 @@ class HeaderReader {
   char lineEnd_ = '\n';
   bool encodingSeen_ = false;
   PlyHeader header_;
+  std::unordered_set<std::string> names_;  // of the elements; a header may name a million
 };
 
 }  // namespace
