@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "exact/box_tree.h"
@@ -239,6 +241,25 @@ Plan planFor(const TriangleMesh& surface, const SweepResult& swept, std::span<co
   return plan;
 }
 
+// Cells beside a sweep: half a minute's work. A thickness far below the extent of the surface, whose cells
+// must be finer still, would take any number.
+constexpr double kMostCells = 1.5e6;
+
+// The error that triangles of at most `area` mm² exceed: the worst are contoured, the rest is left.
+double affordableError(const TriangleMesh& mesh, std::span<const double> errors, double area) {
+  std::vector<std::pair<double, double>> worst;  // error, area
+  for (std::size_t t = 0; t < errors.size(); ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    const Vec3 &p = mesh.positions[a], &q = mesh.positions[b], &r = mesh.positions[c];
+    if (errors[t] > 0) worst.emplace_back(errors[t], (q - p).cross(r - p).norm() / 2);
+  }
+  std::sort(worst.begin(), worst.end(), std::greater<>());
+  double sum = 0;
+  for (const auto& [error, own] : worst)
+    if ((sum += own) > area) return error;
+  return 0;
+}
+
 }  // namespace
 
 Reconstruction reconstruct(const TriangleMesh& surface, const ClosestPointTree& tree, const Options& options,
@@ -267,6 +288,9 @@ std::optional<Reconstruction> deepen(const TriangleMesh& surface, const ClosestP
   // Wider cells are no better than a sweep that is off by as much.
   const double error = kCellError * plan.width * plan.width / (r * r);
   if (error > finest) plan = planFor(surface, swept, errors, error * r, options);
+  if (plan.area > kMostCells * plan.width * plan.width)
+    plan = planFor(surface, swept, errors,
+                   affordableError(swept.mesh, errors, kMostCells * plan.width * plan.width), options);
   if (plan.keepsAll()) return std::nullopt;
   requireRoomForField(surface, plan.area, r, plan.width, context);
   return complete(surface, tree, swept, std::move(plan.keep), plan.area, plan.width, options, context,
