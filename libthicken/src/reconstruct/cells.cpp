@@ -59,11 +59,12 @@ double cellWidth(const TriangleMesh& surface, double area, const Options& option
                       *options.resolution, w, static_cast<int>(std::floor(2 * longest / r)) + 1));
     return w;
   }
-  // r/6 is round to within 0.4 %, r/8 to within 0.25 %, which a sweep is as well wherever it is left as it is;
-  // coarser where that would take very many cells.
-  constexpr double kManyCells = 6e5;
-  const double byArea = std::sqrt(area / kManyCells);
-  double finest = options.method == Method::kReconstruct ? r / 6 : r / 8;
+  // r/6 is round to within 0.4 %; coarser where that would take very many cells. Beside a sweep that is as
+  // good as r/5, that is enough.
+  constexpr double kManyCells = 6e5, kManyBesideSweep = 1.2e5;
+  const bool alone = options.method == Method::kReconstruct;
+  const double byArea = std::sqrt(area / (alone ? kManyCells : kManyBesideSweep));
+  double finest = alone ? r / 6 : r / 5;
   if (options.tolerance) finest = std::clamp(std::sqrt(3 * *options.tolerance * r), r / 20, finest);
   return std::clamp(byArea, finest, r / 2.2);
 }

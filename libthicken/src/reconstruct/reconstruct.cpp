@@ -26,6 +26,9 @@ namespace thicken {
 namespace {
 
 constexpr int kMostRefinements = 16, kMostYields = 12;
+// Cells of all attempts together, and attempts that are made in any case, before the whole sweep is taken.
+constexpr double kMostWork = 2.5e6;
+constexpr std::size_t kSomeAttempts = 4;
 // Reach of a refinement in cells, and its growth from one to the next, so that they end.
 constexpr double kFirstReach = 0.5, kReachGrowth = 1.4;
 
@@ -174,15 +177,17 @@ std::optional<Reconstruction> complete(const TriangleMesh& surface, const Closes
       result.predicted = fieldBytes(area, width);
       return result;
     }
-    const bool lifted = attempt.liftWalls(meeting);
+    const double work = static_cast<double>(round + 1) * area / (width * width);
+    const bool tired = round + 1 >= kSomeAttempts && work > kMostWork;
+    const bool lifted = !tired && attempt.liftWalls(meeting);
     const double nearby = width * kFirstReach * std::pow(kReachGrowth, static_cast<double>(yields));
-    if (refinements == 0 && yields++ < kMostYields &&
+    if (!tired && refinements == 0 && yields++ < kMostYields &&
         yield(swept, shell, attempt.assembly(), meeting, nearby, yielded, keep))
       continue;
     if (lifted) continue;
     if (!swept.shellProved) return std::nullopt;
     const double reach = width * kFirstReach * std::pow(kReachGrowth, static_cast<double>(refinements));
-    if (refinements++ < kMostRefinements &&
+    if (!tired && refinements++ < kMostRefinements &&
         refine(swept, shell, attempt.assembly(), meeting, width, reach, keep))
       continue;
     // In the end the whole sweep, which leaves nothing to contour.
@@ -196,7 +201,7 @@ constexpr double kCellError = 0.15;
 
 // Error of the sweep's shell that is left as it is, in r.
 double errorToLeave(const Options& options) {
-  constexpr double kEnough = 1.5e-3;
+  constexpr double kEnough = 0.01;
   constexpr double kFinest = 5e-4;
   if (!options.tolerance) return kEnough;
   return std::clamp(*options.tolerance / (2 * options.thickness), kFinest, kEnough);
@@ -228,12 +233,23 @@ struct Plan {
   [[nodiscard]] bool keepsAll() const { return std::find(keep.begin(), keep.end(), 0) == keep.end(); }
 };
 
+// Cells along an edge of a triangle beside a contour: its rim is divided by cells, and a fan of so many
+// slivers costs exact tests by their square.
+constexpr double kMostAlongEdge = 400;
+
+double longestEdge(const TriangleMesh& mesh, TriangleId t) {
+  const auto& [a, b, c] = mesh.triangles[t];
+  const Vec3 &p = mesh.positions[a], &q = mesh.positions[b], &r = mesh.positions[c];
+  return std::max({(q - p).norm(), (r - q).norm(), (p - r).norm()});
+}
+
 Plan planFor(const TriangleMesh& surface, const SweepResult& swept, std::span<const double> errors,
              double error, const Options& options) {
   Plan plan;
   TriangleMesh rest{swept.mesh.positions, {}};
-  for (std::size_t t = 0; t < errors.size(); ++t) {
-    plan.keep.push_back(errors[t] <= error);
+  const double longest = kMostAlongEdge * options.thickness / 2.2;
+  for (TriangleId t = 0; t < errors.size(); ++t) {
+    plan.keep.push_back(errors[t] <= error || longestEdge(swept.mesh, t) > longest);
     if (!plan.keep[t]) rest.triangles.push_back(swept.mesh.triangles[t]);
   }
   plan.area = areaOf(rest);
@@ -241,9 +257,9 @@ Plan planFor(const TriangleMesh& surface, const SweepResult& swept, std::span<co
   return plan;
 }
 
-// Cells beside a sweep: half a minute's work. A thickness far below the extent of the surface, whose cells
-// must be finer still, would take any number.
-constexpr double kMostCells = 1.5e6;
+// Cells beside a sweep. A thickness far below the extent of the surface, whose cells must be finer still,
+// would take any number.
+constexpr double kMostCells = 4e5;
 
 // The error that triangles of at most `area` mm² exceed: the worst are contoured, the rest is left.
 double affordableError(const TriangleMesh& mesh, std::span<const double> errors, double area) {
