@@ -195,6 +195,18 @@ TEST(Thicken, KeepsSheetsApartThatFaceEachOther) {
 }
 
 // Where a surface is folded flat onto itself no copy of the fold has room behind all its triangles.
+// Two large triangles at a sharp fold, a thousandth of their edges thick: cells below half the thickness
+// would be tens of millions, and their rims fans of thousands of slivers.
+TEST(Thicken, LeavesLargeTrianglesAtASharpFoldToTheSweep) {
+  TriangleMesh fold;
+  fold.positions = {{0, 0, 0}, {10, 0, 0}, {5, 9, 0.5}, {5, 9, -0.5}};
+  fold.triangles = {{0, 1, 2}, {1, 0, 3}};
+  const Solid solid = thicken(fold, by(0.01));
+  EXPECT_TRUE(solid.report.audit.passed());
+  EXPECT_EQ(solid.report.method, Method::kSweep);
+  EXPECT_LT(solid.report.triangles, 100u);
+}
+
 TEST(Thicken, PassesOverFoldsThatLieFlat) {
   const std::vector<std::array<double, 2>> profile = {{0, 0},        {1, 0.01},    {2, 0},
                                                       {1.9, -0.001}, {3, -0.0005}, {4, 0}};
