@@ -15,7 +15,9 @@ namespace thicken {
 namespace {
 
 constexpr int kDefaultRounds = 15;  // of shape optimisation; the paper takes 10 to 20
-constexpr double kLift = 0.75;      // cells that the end of a wall is drawn back by
+// Cells that the end of a wall is drawn back by: for another contour, and while this one settles, where what
+// it loses stays lost.
+constexpr double kLift = 0.75, kSettlingLift = 0.25;
 
 }  // namespace
 
@@ -45,7 +47,7 @@ std::vector<TriangleId> Attempt::run(std::span<const std::uint8_t> keep, Stopwat
   const std::vector<Vec3> target = shapedPositions(assembly_, contour.dual, contour.crossings, membership,
                                                    width_, rounds, context_, threads_);
   std::vector<TriangleId> meeting =
-      settle(assembly_, target, carrier.up, kLift * width_, proved_, context_, threads_);
+      settle(assembly_, target, carrier.up, kSettlingLift * width_, proved_, context_, threads_);
   if (meeting.empty()) meeting = crowdedTriangles();
   if (meeting.empty()) dropMisplaced(assembly_, threads_);
   watch.lap("shape");

@@ -69,7 +69,7 @@ class Settler {
  private:
   static constexpr int kBackwards = 3;
   static constexpr int kRelaxations = 16;
-  static constexpr int kBetweenLifts = 4;
+  static constexpr int kBetweenLifts = 2;
   static constexpr int kContourAlone = 8;  // relaxations before the ends of walls move with it
   static constexpr int kMostLifts = 3;
 
