@@ -23,7 +23,7 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-from models import MODELS, Refused, reconstruct, surface_facts, table_thickness
+from models import MODELS, Refused, command_line, reconstruct, surface_facts, table_thickness
 
 COMPUTE = ("tree", "sweep", "field", "faces", "shape", "audit")
 GROWING = ("compute", "cpu", "mib", "nodes", "rival", "rival_cpu", "rival_mib")
@@ -71,12 +71,9 @@ def medians(runs: list[dict]) -> dict:
 class Case:
     """One model at one resolution."""
 
-    def __init__(self, options: argparse.Namespace, name: str, edges: float, resolution: int):
-        self.options, self.name, self.resolution = options, name, resolution
+    def __init__(self, options: argparse.Namespace, name: str, thickness: float, resolution: int):
+        self.options, self.name, self.thickness, self.resolution = options, name, thickness, resolution
         self.model = options.folder / f"{name}.ply"
-        facts = surface_facts(options.program, self.model)
-        percent = options.thickness_percent
-        self.thickness = percent / 100 * facts["diagonal_mm"] if percent else table_thickness(facts, edges)
 
     def run(self, *more: str) -> dict:
         with tempfile.TemporaryDirectory() as folder:
@@ -100,6 +97,12 @@ class Case:
                 runs[count].append(self.run("--threads", count))
         named = {"model": self.name, "resolution": self.resolution}
         return {count: {**named, **medians(of)} for count, of in runs.items()}
+
+
+def thickness_of(options: argparse.Namespace, name: str, edges: float) -> float:
+    facts = surface_facts(options.program, options.folder / f"{name}.ply")
+    percent = options.thickness_percent
+    return percent / 100 * facts["diagonal_mm"] if percent else table_thickness(facts, edges)
 
 
 def sums(rows: list[dict]) -> str:
@@ -163,22 +166,19 @@ def compare_threads(options: argparse.Namespace, cases: list[Case]) -> list[dict
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("program")
-    parser.add_argument("folder", type=Path)
+    parser = command_line(__doc__, "128,256,512,1024")
     parser.add_argument("--rival", help="OpenVDB's program: RIVAL IN.ply R VOXEL prints JSON")
     parser.add_argument("--threads", help="compare these numbers of threads instead")
-    parser.add_argument("--resolution", default="128,256,512,1024")
     parser.add_argument("--repeat", type=int, default=3)
-    parser.add_argument("--only", default="")
     parser.add_argument("--thickness-percent", type=float, help="of the diagonal, instead of the table's thickness")
     parser.add_argument("--out", type=Path, help="the medians as JSON")
     options = parser.parse_args()
     if not options.rival and not options.threads:
         parser.error("either --rival or --threads")
-    cases = [Case(options, name, edges, resolution)
+    thicknesses = {name: thickness_of(options, name, edges) for name, edges, _ in MODELS if options.only in name}
+    cases = [Case(options, name, thickness, resolution)
              for resolution in map(int, options.resolution.split(","))
-             for name, edges, _ in MODELS if options.only in name]  # fmt: skip
+             for name, thickness in thicknesses.items()]  # fmt: skip
     rows = compare_threads(options, cases) if options.threads else compare_with_rival(options, cases)
     if options.out:
         options.out.write_text(json.dumps(rows, indent=1) + "\n")

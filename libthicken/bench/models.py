@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The models of the paper's Table 1, and one run of the program on one of them."""
 
+import argparse
 import json
 import subprocess
 import tempfile
@@ -16,6 +17,16 @@ MODELS = [
     ("cut_nefertiti_57k", 3.0, {128: (0.954, 0.538, 0.479), 256: (5.15, 1.92, 1.59)}),
     ("cut_igea_face_134k", 3.0, {128: (0.850, 0.654, 0.743), 256: (4.29, 2.21, 2.33)}),
 ]
+
+
+def command_line(description: str, resolutions: str) -> argparse.ArgumentParser:
+    """What every command over the models takes; `description` is its docstring."""
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program")
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("--resolution", default=resolutions)
+    parser.add_argument("--only", default="")
+    return parser
 
 
 class Refused(Exception):

@@ -8,11 +8,10 @@ FOLDER holds the models as PLY files. Grid is the time of sweep and field, face 
 shape that of shape optimisation and the exact tests of it; read, check, audit and write come on top.
 """
 
-import argparse
 import tempfile
 from pathlib import Path
 
-from models import MODELS, Refused, reconstruct, surface_facts, table_thickness, verdict
+from models import MODELS, Refused, command_line, reconstruct, surface_facts, table_thickness, verdict
 
 
 def run(program: str, model: Path, thickness: float, resolution: int, judge: str | None) -> str:
@@ -29,11 +28,7 @@ def run(program: str, model: Path, thickness: float, resolution: int, judge: str
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("program")
-    parser.add_argument("folder", type=Path)
-    parser.add_argument("--resolution", default="128,256")
-    parser.add_argument("--only", default="")
+    parser = command_line(__doc__, "128,256")
     parser.add_argument("--judge")
     options = parser.parse_args()
     print(f"{'model':24}{'cells':>6} | paper: grid face shape | sum     | here: grid face shape   | sum     whole")

@@ -35,8 +35,6 @@ class KeyIndex {
     if (!slots_.empty()) __builtin_prefetch(&slots_[firstSlot(key)]);
   }
 
-  [[nodiscard]] bool contains(std::uint64_t key) const { return find(key) != kAbsent; }
-
   [[nodiscard]] const std::vector<std::uint64_t>& keys() const { return keys_; }
   [[nodiscard]] std::size_t size() const { return keys_.size(); }
 

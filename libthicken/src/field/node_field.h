@@ -45,7 +45,7 @@ class NodeField {
   template <class Visit>
   void forEach(Visit visit) const {
     for (std::uint32_t i = 0; i < samples_.size(); ++i)
-      visit(grid_.node(UniformGrid::indexOf(index_.keys()[i])), samples_[i]);
+      visit(grid_.node(UniformGrid::indexOf(key(i))), samples_[i]);
   }
   [[nodiscard]] std::size_t size() const { return samples_.size(); }
   /// The node (UniformGrid::key) of a number.

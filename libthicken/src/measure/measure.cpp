@@ -15,10 +15,6 @@ namespace thicken {
 
 namespace {
 
-double areaOf(std::span<const Vec3> positions, const Triangle& t) {
-  return (positions[t[1]] - positions[t[0]]).cross(positions[t[2]] - positions[t[0]]).norm() / 2;
-}
-
 struct Sample {
   double error = -1;  // relative; negative: on the wall
   double weight = 0;  // mm²
@@ -131,6 +127,10 @@ double volumeOf(const TriangleMesh& mesh) {
     volume +=
         (mesh.positions[a] - origin).cross(mesh.positions[b] - origin).dot(mesh.positions[c] - origin) / 6;
   return volume;
+}
+
+double areaOf(std::span<const Vec3> positions, const Triangle& t) {
+  return (positions[t[1]] - positions[t[0]]).cross(positions[t[2]] - positions[t[0]]).norm() / 2;
 }
 
 double areaOf(const TriangleMesh& mesh) {

@@ -4,6 +4,8 @@
 // and how thin the solid gets.
 #pragma once
 
+#include <span>
+
 #include "thicken/closest_point.h"
 #include "thicken/result.h"
 #include "thicken/run_context.h"
@@ -13,6 +15,7 @@ namespace thicken {
 /// Signed volume (mm³) of a closed mesh, summed about its first vertex to keep digits.
 [[nodiscard]] double volumeOf(const TriangleMesh& mesh);
 /// Area (mm²).
+[[nodiscard]] double areaOf(std::span<const Vec3> positions, const Triangle& triangle);
 [[nodiscard]] double areaOf(const TriangleMesh& mesh);
 
 /// Of a shell of very many triangles: whether the error is taken on all of them, for its largest value, or on
@@ -22,7 +25,7 @@ enum class Measure : std::uint8_t { kRepresentative, kAll };
 /// Fills the output part of `solid.report` from the mesh, its regions and its depths. `surface` is S as
 /// it was thickened, `tree` its tree. Shell points whose closest point lies on the rim belong to the
 /// wall and do not count as shell error (paper §4.2, Remark 4).
-void measure(Solid& solid, const TriangleMesh& surface, const ClosestPointTree& tree,
-             Measure what, const RunContext& context, int threads);
+void measure(Solid& solid, const TriangleMesh& surface, const ClosestPointTree& tree, Measure what,
+             const RunContext& context, int threads);
 
 }  // namespace thicken

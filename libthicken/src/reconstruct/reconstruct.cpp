@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -246,14 +245,12 @@ double longestEdge(const TriangleMesh& mesh, TriangleId t) {
 Plan planFor(const TriangleMesh& surface, const SweepResult& swept, std::span<const double> errors,
              double error, const Options& options) {
   Plan plan;
-  TriangleMesh rest{swept.mesh.positions, {}};
   const double longest = kMostAlongEdge * options.thickness / 2.2;
   for (TriangleId t = 0; t < errors.size(); ++t) {
     plan.keep.push_back(errors[t] <= error || longestEdge(swept.mesh, t) > longest);
-    if (!plan.keep[t]) rest.triangles.push_back(swept.mesh.triangles[t]);
+    if (!plan.keep[t]) plan.area += areaOf(swept.mesh.positions, swept.mesh.triangles[t]);
   }
-  plan.area = areaOf(rest);
-  if (!rest.triangles.empty()) plan.width = cellWidth(surface, plan.area, options);
+  if (!plan.keepsAll()) plan.width = cellWidth(surface, plan.area, options);
   return plan;
 }
 
@@ -264,11 +261,8 @@ constexpr double kMostCells = 4e5;
 // The error that triangles of at most `area` mm² exceed: the worst are contoured, the rest is left.
 double affordableError(const TriangleMesh& mesh, std::span<const double> errors, double area) {
   std::vector<std::pair<double, double>> worst;  // error, area
-  for (std::size_t t = 0; t < errors.size(); ++t) {
-    const auto& [a, b, c] = mesh.triangles[t];
-    const Vec3 &p = mesh.positions[a], &q = mesh.positions[b], &r = mesh.positions[c];
-    if (errors[t] > 0) worst.emplace_back(errors[t], (q - p).cross(r - p).norm() / 2);
-  }
+  for (std::size_t t = 0; t < errors.size(); ++t)
+    if (errors[t] > 0) worst.emplace_back(errors[t], areaOf(mesh.positions, mesh.triangles[t]));
   std::sort(worst.begin(), worst.end(), std::greater<>());
   double sum = 0;
   for (const auto& [error, own] : worst)
