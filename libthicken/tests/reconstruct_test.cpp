@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "plain_shapes.h"
+#include "reconstruct/diagonals.h"
 #include "thicken/error.h"
 #include "thicken/thicken.h"
 
@@ -73,6 +74,71 @@ TEST(Reconstruct, GivesTheSameBytesForAnyThreads) {
   const Solid one = thicken(sheet, by(0.9, 0.25, 1)), three = thicken(sheet, by(0.9, 0.25, 3));
   EXPECT_EQ(one.mesh.triangles, three.mesh.triangles);
   EXPECT_EQ(one.mesh.positions, three.mesh.positions);
+}
+
+// Valleys of the sheet, which are edges for the material below them: the offset is round there, and no axis
+// of the grid is along them.
+TriangleMesh valleys() {
+  TriangleMesh mesh = flat(12, 8);
+  constexpr double kTurn = 0.4;
+  for (Vec3& p : mesh.positions) {
+    p.z() = std::abs(std::fmod(p.x(), 6) - 3);
+    p = {std::cos(kTurn) * p.x() - std::sin(kTurn) * p.y(), std::sin(kTurn) * p.x() + std::cos(kTurn) * p.y(),
+         p.z()};
+  }
+  return mesh;
+}
+
+TEST(Reconstruct, IsRoundBelowEdgesOfTheirRadius) {
+  Options o;
+  o.method = Method::kReconstruct;
+  o.thickness = 0.8;
+  const Solid solid = thicken(valleys(), o);
+  EXPECT_LT(solid.report.shellErrorFullDepth.p99, 0.0015);
+  EXPECT_LT(solid.report.shellErrorFullDepth.mean, 0.00015);
+}
+
+TEST(Auto, IsAsAccurateAsAContourOfTheWholeShell) {
+  Options o;
+  o.thickness = 0.8;
+  const Solid solid = thicken(valleys(), o);
+  EXPECT_EQ(solid.report.method, Method::kAuto);
+  EXPECT_LT(solid.report.shellErrorFullDepth.p99, 0.0015);
+}
+
+class Diagonals : public ::testing::Test {
+ protected:
+  Diagonals() {
+    dual_.vertexCount = 4;
+    dual_.faces = {{0, 1, 2, 3}};
+    dual_.shared = {0};
+    crossings_.resize(1);
+    crossings_[0].normal = Vec3::UnitZ();
+    assembly_.mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+    assembly_.crossing = {0, 0};
+  }
+
+  std::vector<Triangle> chosenFor(const std::vector<Vec3>& corners) {
+    chooseDiagonals(assembly_, dual_, crossings_, corners, RunContext(), 1);
+    return assembly_.mesh.triangles;
+  }
+
+ private:
+  Assembly assembly_;
+  DualSurface dual_;
+  std::vector<Crossing> crossings_;
+};
+
+TEST_F(Diagonals, RunAlongARoundEdge) {
+  EXPECT_EQ(chosenFor({{-1, -1, 0}, {1, -1, -1}, {1, 1, 0}, {-1, 1, -1}}),
+            (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
+  EXPECT_EQ(chosenFor({{-1, -1, -1}, {1, -1, 0}, {1, 1, -1}, {-1, 1, 0}}),
+            (std::vector<Triangle>{{1, 2, 3}, {1, 3, 0}}));
+}
+
+TEST_F(Diagonals, DoNotFoldAQuadThatIsNotConvex) {
+  EXPECT_EQ(chosenFor({{-1, -1, 0}, {-0.5, 0.5, -1}, {1, 1, 0}, {-1, 1, -1}}),
+            (std::vector<Triangle>{{1, 2, 3}, {1, 3, 0}}));
 }
 
 TEST(Reconstruct, NamesTheWidthThatFitsTheMemory) {

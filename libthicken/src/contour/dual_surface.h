@@ -21,6 +21,10 @@ struct DualSurface {
   /// Corners of the face of each crossing, counter-clockwise seen from outside; 4 to 8 of them.
   std::vector<std::vector<VertexId>> faces;
   std::vector<std::uint8_t> shared;  ///< per crossing: its grid edge has others as well
+  /// Whether the face of a crossing is two triangles; others are fans around a vertex in their middle.
+  [[nodiscard]] bool isQuad(std::uint32_t crossing) const {
+    return faces[crossing].size() == 4 && !shared[crossing];
+  }
   /// For every loop of the rim, in its order: the vertex of each visit, and what lies on the dual
   /// edge to the next visit's (kNone: nothing).
   struct Stop {

@@ -13,13 +13,6 @@ namespace thicken {
 
 namespace {
 
-double distanceToLine(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 d = b - a;
-  const double l2 = d.squaredNorm();
-  const double t = l2 > 0 ? std::clamp((p - a).dot(d) / l2, 0.0, 1.0) : 0;
-  return (p - a - t * d).norm();
-}
-
 class Assembler {
  public:
   Assembler(const Carrier& carrier, const DualSurface& dual, const std::vector<Crossing>& crossings,
@@ -56,13 +49,9 @@ class Assembler {
   void addFace(std::uint32_t c) {
     const Region region = crossings_[c].beyond == Standing::kRim ? Region::kWall : Region::kShell;
     const std::vector<VertexId>& f = dual_.faces[c];
-    if (f.size() == 4 && !dual_.shared[c]) {
-      const VertexId q[4] = {id(f[0]), id(f[1]), id(f[2]), id(f[3])};
-      // The diagonal that comes closer to the surface.
-      const Vec3& x = crossings_[c].at;
-      const int k = distanceToLine(x, at(q[0]), at(q[2])) <= distanceToLine(x, at(q[1]), at(q[3])) ? 0 : 1;
-      put({q[k], q[k + 1], q[k + 2]}, region, c);
-      put({q[k], q[k + 2], q[(k + 3) % 4]}, region, c);
+    if (dual_.isQuad(c)) {
+      put({id(f[0]), id(f[1]), id(f[2])}, region, c);
+      put({id(f[0]), id(f[2]), id(f[3])}, region, c);
       return;
     }
     const auto middle = static_cast<VertexId>(out_.mesh.positions.size());

@@ -7,6 +7,7 @@
 #include "measure/stopwatch.h"
 #include "mesh/half_edges.h"
 #include "mesh/sort_unique.h"
+#include "reconstruct/diagonals.h"
 #include "reconstruct/loose_parts.h"
 #include "reconstruct/shape.h"
 
@@ -46,6 +47,7 @@ std::vector<TriangleId> Attempt::run(std::span<const std::uint8_t> keep, Stopwat
   const int rounds = options_.smooth.value_or(kDefaultRounds);
   const std::vector<Vec3> target = shapedPositions(assembly_, contour.dual, contour.crossings, membership,
                                                    width_, rounds, context_, threads_);
+  chooseDiagonals(assembly_, contour.dual, contour.crossings, target, context_, threads_);
   std::vector<TriangleId> meeting =
       settle(assembly_, target, carrier.up, kSettlingLift * width_, proved_, context_, threads_);
   if (meeting.empty()) meeting = crowdedTriangles();

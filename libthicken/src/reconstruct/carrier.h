@@ -30,8 +30,8 @@ void closeFans(const TriangleMesh& swept, std::vector<std::uint8_t>& keep);
 /// Takes shell triangles out of `keep` until no vertex has two fans because of them.
 void openFans(const TriangleMesh& swept, std::span<const Region> region, std::vector<std::uint8_t>& keep);
 
-/// The carrier of the kept triangles, the sweep's vertices at `positions`, with `up` of each; rim edges longer
-/// than `longest` mm are divided evenly, those of the first `surfaceTriangles` triangles excepted.
+/// The carrier of the kept triangles, the sweep's vertices at `positions`, with `up` of each; rim edges
+/// longer than `longest` mm are divided evenly, those of the first `surfaceTriangles` triangles excepted.
 [[nodiscard]] Carrier makeCarrier(const SweepResult& swept, std::span<const Vec3> positions,
                                   std::vector<Vec3> up, std::size_t surfaceTriangles,
                                   std::span<const std::uint8_t> keep, double longest);

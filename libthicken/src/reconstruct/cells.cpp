@@ -38,6 +38,10 @@ void requireCells(const TriangleMesh& surface, double r, double width) {
 
 }  // namespace
 
+bool hasRoomForField(double area, double width, const RunContext& context) {
+  return context.memoryLimit() == 0 || fieldBytes(area, width) <= context.memoryLimit();
+}
+
 void requireRoomForField(const TriangleMesh& surface, double area, double r, double width,
                          const RunContext& context) {
   requireCells(surface, r, width);
@@ -59,12 +63,9 @@ double cellWidth(const TriangleMesh& surface, double area, const Options& option
                       *options.resolution, w, static_cast<int>(std::floor(2 * longest / r)) + 1));
     return w;
   }
-  // r/6 is round to within 0.4 %; coarser where that would take very many cells. Beside a sweep that is as
-  // good as r/5, that is enough.
-  constexpr double kManyCells = 6e5, kManyBesideSweep = 1.2e5;
-  const bool alone = options.method == Method::kReconstruct;
-  const double byArea = std::sqrt(area / (alone ? kManyCells : kManyBesideSweep));
-  double finest = alone ? r / 6 : r / 5;
+  // r/6 is round to within 0.2 % nearly everywhere; coarser where that would take very many cells.
+  const double byArea = std::sqrt(area / kManyCells);
+  double finest = r / 6;
   if (options.tolerance) finest = std::clamp(std::sqrt(3 * *options.tolerance * r), r / 20, finest);
   return std::clamp(byArea, finest, r / 2.2);
 }

@@ -32,8 +32,8 @@ class Contourer {
 
   /// The contour of what lies in H and is not closed off by `carrier`, whose first triangles are those of
   /// the surface. `seeds` are for parts of it that hang together with no rim.
-  [[nodiscard]] Contour contour(const Carrier& carrier, const Membership& membership,
-                                const Seeds& seeds, Stopwatch& watch);
+  [[nodiscard]] Contour contour(const Carrier& carrier, const Membership& membership, const Seeds& seeds,
+                                Stopwatch& watch);
 
   /// Of the last contour.
   [[nodiscard]] const UniformGrid& grid() const { return grid_; }
@@ -43,8 +43,8 @@ class Contourer {
   using Corners = std::array<Vec3, 3>;
 
   void startGrid();
-  [[nodiscard]] Contour attempt(const Carrier& carrier, const Membership& membership,
-                                const Seeds& seeds, Stopwatch& watch);
+  [[nodiscard]] Contour attempt(const Carrier& carrier, const Membership& membership, const Seeds& seeds,
+                                Stopwatch& watch);
   void forgetChanges(std::vector<Corners> beyondSurface);
   void recall(std::vector<Crossing>& crossings) const;
 

@@ -34,8 +34,14 @@ struct Reconstruction {
 /// (Remark 1).
 [[nodiscard]] double cellWidth(const TriangleMesh& surface, double area, const Options& options);
 
+/// Cells that widths are chosen for, at most, where none is given.
+inline constexpr double kManyCells = 6e5;
+
 /// Bytes that the field and its contour take at their peak, beyond what the sweep takes.
 [[nodiscard]] std::size_t fieldBytes(double area, double width);
+
+/// Whether that is within the memory limit.
+[[nodiscard]] bool hasRoomForField(double area, double width, const RunContext& context);
 
 /// Throws where cells of `width` are too many for the grid's keys or, before any of it is taken, too many
 /// for the memory limit, with the width that would fit.

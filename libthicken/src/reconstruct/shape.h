@@ -2,7 +2,7 @@
 //
 // Where the contour's vertices should stand (paper §4.3): rounds that smooth the wall's normals and
 // move each vertex a quarter of the way to the minimiser of its quadratic error function; vertices of
-// the shell then at their exact distance from S.
+// the shell then so far from S that the faces between them are off by the least.
 #pragma once
 
 #include "field/membership.h"

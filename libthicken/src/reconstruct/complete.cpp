@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "reconstruct/complete.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "exact/box_tree.h"
+#include "mesh/bounds.h"
+#include "mesh/normals.h"
+#include "parallel_for.h"
+#include "reconstruct/attempt.h"
+#include "reconstruct/carrier.h"
+#include "thicken/error.h"
+
+namespace thicken {
+
+namespace {
+
+constexpr int kMostRefinements = 16, kMostYields = 12;
+// Cells of all attempts together, and attempts that are made in any case, before the whole sweep is taken.
+constexpr double kMostWork = 2.5e6;
+constexpr std::size_t kSomeAttempts = 4;
+// Reach of a refinement in cells, and its growth from one to the next, so that they end.
+constexpr double kFirstReach = 0.5, kReachGrowth = 1.4;
+
+// The triangles of `shell` within `reach` mm of the box around a triangle.
+std::vector<TriangleId> shellNear(const exact::BoxTree& shell, const TriangleMesh& mesh, TriangleId t,
+                                  double reach) {
+  Bounds b;
+  for (const VertexId v : mesh.triangles[t]) b.add(mesh.positions[v]);
+  return shell.near(b.low - Vec3::Constant(reach), b.high + Vec3::Constant(reach));
+}
+
+// Marks the sweep's shell near the triangles that meet, first near, then farther, until there is
+// something new. Returns whether there was.
+bool refine(const SweepResult& swept, const exact::BoxTree& shell, const Assembly& assembly,
+            std::span<const TriangleId> meeting, double width, double first,
+            std::vector<std::uint8_t>& keep) {
+  constexpr double kFarthest = 64;
+  bool any = false;
+  for (double reach = first; reach < kFarthest * width && !any; reach *= 2)
+    for (const TriangleId t : meeting) {
+      if (t < assembly.carrierTriangles) continue;
+      for (const TriangleId s : shellNear(shell, assembly.mesh, t, reach)) {
+        any |= keep[s] == 0;
+        keep[s] = 1;
+      }
+    }
+  if (any) closeFans(swept.mesh, keep);
+  return any;
+}
+
+// Makes `keep` a surface without pinched vertices: by less shell where that is enough, else by more.
+void separateFans(const SweepResult& swept, std::vector<std::uint8_t>& keep) {
+  openFans(swept.mesh, swept.region, keep);
+  closeFans(swept.mesh, keep);
+}
+
+// Gives pieces of the sweep's shell near the triangles that meet over to the contour, with all that its own
+// rim would pinch. Returns whether there were any; each is given over once.
+bool yield(const SweepResult& swept, const exact::BoxTree& shell, const Assembly& assembly,
+           std::span<const TriangleId> meeting, double reach, std::vector<std::uint8_t>& yielded,
+           std::vector<std::uint8_t>& keep) {
+  bool any = false;
+  for (const TriangleId t : meeting)
+    for (const TriangleId s : shellNear(shell, assembly.mesh, t, reach)) {
+      if (yielded[s]) continue;
+      yielded[s] = 1;
+      any |= keep[s] != 0;
+      keep[s] = 0;
+    }
+  if (any) separateFans(swept, keep);
+  return any;
+}
+
+[[noreturn]] void refuse(const Assembly& assembly, std::span<const TriangleId> meeting) {
+  const Triangle& t = assembly.mesh.triangles[meeting.front()];
+  const Vec3& p = assembly.mesh.positions[t[0]];
+  Defect d;
+  d.code = ErrorCode::kNoSolid;
+  d.count = meeting.size();
+  d.place = p;
+  d.sentence = fmt::format(
+      "the reconstructed surface meets itself near ({:.6g}, {:.6g}, {:.6g}); a smaller cell width may tell "
+      "the sheets apart there",
+      p.x(), p.y(), p.z());
+  const std::string sentence = d.sentence;
+  throw Error(ErrorCode::kNoSolid, sentence, {std::move(d)});
+}
+
+// How deep the solid is below each vertex: to where the field ends along the normal, or to the copy
+// that the carrier keeps.
+std::vector<double> depths(const TriangleMesh& surface, const ClosestPointTree& tree, double r,
+                           const RunContext& context, int threads) {
+  const auto normal =
+      vertexNormals(surface.positions, surface.triangles, faceNormals(surface.positions, surface.triangles));
+  std::vector<double> depth(surface.positions.size(), r);
+  constexpr int kSteps = 5;
+  parallelFor(depth.size(), threads, context, 128, [&](std::size_t v) {
+    double good = 0, bad = r;
+    for (int i = 0; i < kSteps; ++i) {
+      const double h = i == 0 ? 0.95 * r : (good + bad) / 2;
+      const Vec3 p = surface.positions[v] - h * normal[v];
+      const auto c = tree.closest(p);
+      const bool inside = c->onRim || insideThickened(p, *c, r);
+      (inside ? good : bad) = h;
+      if (i == 0 && inside) break;
+    }
+    depth[v] = good >= 0.95 * r ? r : good;
+  });
+  return depth;
+}
+
+Reconstruction finish(const Assembly& assembly, const TriangleMesh& surface, const SweepResult& swept,
+                      std::span<const std::uint8_t> keep, std::vector<double> depth) {
+  Reconstruction result;
+  result.depth = std::move(depth);
+  const std::size_t s = surface.triangles.size();
+  for (std::size_t t = s; t < keep.size(); ++t)
+    if (keep[t] && t < 2 * s && swept.region[t] == Region::kShell)
+      for (const VertexId v : surface.triangles[t - s])
+        result.depth[v] = std::min(result.depth[v], swept.depth[v]);
+  std::vector<VertexId> to(assembly.mesh.positions.size(), kNone);
+  for (VertexId v = 0; v < surface.positions.size(); ++v) to[v] = v;
+  result.mesh.positions = surface.positions;
+  for (std::size_t t = 0; t < assembly.mesh.triangles.size(); ++t) {
+    Triangle out{};
+    for (int k = 0; k < 3; ++k) {
+      VertexId& id = to[assembly.mesh.triangles[t][k]];
+      if (id == kNone) {
+        id = static_cast<VertexId>(result.mesh.positions.size());
+        result.mesh.positions.push_back(assembly.mesh.positions[assembly.mesh.triangles[t][k]]);
+      }
+      out[k] = id;
+    }
+    result.mesh.triangles.push_back(out);
+    result.region.push_back(assembly.region[t]);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::optional<Reconstruction> complete(const TriangleMesh& surface, const ClosestPointTree& tree,
+                                       const SweepResult& swept, ContourTask task, const Options& options,
+                                       const RunContext& context, int threads, Stopwatch& watch) {
+  std::vector<std::uint8_t>& keep = task.keep;
+  const double width = task.width;
+  std::vector<std::uint8_t> isShell(keep.size());
+  bool anyShell = false;
+  for (std::size_t t = 0; t < keep.size(); ++t) {
+    isShell[t] = swept.region[t] == Region::kShell;
+    anyShell |= isShell[t] && keep[t];
+  }
+  // Walls that were proved alone have none to separate.
+  if (anyShell || swept.shellProved) separateFans(swept, keep);
+  const exact::BoxTree shell(swept.mesh.positions, swept.mesh.triangles, threads, isShell);
+  Attempt attempt(surface, tree, swept, options, width, context, threads);
+  int refinements = 0, yields = 0;
+  std::vector<std::uint8_t> yielded(keep.size(), 0);
+  for (std::size_t round = 0;; ++round) {
+    const std::vector<TriangleId> meeting = attempt.run(keep, watch);
+    if (meeting.empty()) {
+      Reconstruction result = finish(attempt.assembly(), surface, swept, keep,
+                                     depths(surface, tree, options.thickness, context, threads));
+      result.rounds = round;
+      result.cell = width;
+      result.cells = attempt.field().cells();
+      result.nodes = attempt.field().size();
+      result.predicted = fieldBytes(task.area, width);
+      return result;
+    }
+    const double work = static_cast<double>(round + 1) * task.area / (width * width);
+    const bool tired = round + 1 >= kSomeAttempts && work > kMostWork;
+    const bool lifted = !tired && attempt.liftWalls(meeting);
+    const double nearby = width * kFirstReach * std::pow(kReachGrowth, static_cast<double>(yields));
+    if (!tired && refinements == 0 && yields++ < kMostYields &&
+        yield(swept, shell, attempt.assembly(), meeting, nearby, yielded, keep))
+      continue;
+    if (lifted) continue;
+    if (!task.mayKeepShell) return std::nullopt;
+    const double reach = width * kFirstReach * std::pow(kReachGrowth, static_cast<double>(refinements));
+    if (!tired && refinements++ < kMostRefinements &&
+        refine(swept, shell, attempt.assembly(), meeting, width, reach, keep))
+      continue;
+    // In the end the whole sweep, which leaves nothing to contour.
+    if (std::find(keep.begin(), keep.end(), 0) == keep.end()) refuse(attempt.assembly(), meeting);
+    std::fill(keep.begin(), keep.end(), std::uint8_t{1});
+  }
+}
+
+}  // namespace thicken

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Attempts until nothing meets: walls that are in the way are drawn back, and where that does not help the
+// sweep's own shell is kept.
+#pragma once
+
+#include "reconstruct/reconstruct.h"
+
+namespace thicken {
+
+/// What is to be contoured below a carrier.
+struct ContourTask {
+  std::vector<std::uint8_t> keep;  ///< per triangle of the sweep: part of the carrier
+  double area = 0;                 ///< of the rest, mm²
+  double width = 0;                ///< of the cells, mm
+  bool mayKeepShell = false;       ///< whether the carrier may be given more of the sweep's shell
+};
+
+/// The solid of a carrier that is `task.keep` of `swept`; nullopt where it would need more of the sweep's
+/// shell and must not have it. Throws kNoSolid where not even the whole sweep is clear of itself, kCancelled.
+[[nodiscard]] std::optional<Reconstruction> complete(const TriangleMesh& surface,
+                                                     const ClosestPointTree& tree, const SweepResult& swept,
+                                                     ContourTask task, const Options& options,
+                                                     const RunContext& context, int threads,
+                                                     Stopwatch& watch);
+
+}  // namespace thicken

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Which part of the sweep's shell a contour is to replace: what is off by more than cells of the width that
+// the part can afford would be.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "sweep/sweep.h"
+#include "thicken/closest_point.h"
+#include "thicken/options.h"
+#include "thicken/run_context.h"
+
+namespace thicken {
+
+struct ShellPlan {
+  std::vector<std::uint8_t> keep;  ///< per triangle of the sweep
+  double area = 0;                 ///< of the rest, mm²
+  double width = 0;                ///< of the cells for it, mm
+  [[nodiscard]] bool keepsAll() const { return std::find(keep.begin(), keep.end(), 0) == keep.end(); }
+};
+
+[[nodiscard]] ShellPlan planShell(const TriangleMesh& surface, const SweepResult& swept,
+                                  const ClosestPointTree& tree, const Options& options,
+                                  const RunContext& context, int threads);
+
+}  // namespace thicken
