@@ -36,36 +36,47 @@ std::vector<GridIndex> allNodes(const UniformGrid& grid) {
 TEST(SurfaceCrossings, OfAClosedSurfaceCancelAlongEveryLine) {
   const TriangleMesh box = shapes::box({0, 0, 0}, {3, 2, 1});
   const UniformGrid grid = gridAround(box, 0.5, 0.23);
-  const auto crossings = surfaceCrossings(grid, box.positions, box.triangles, {}, 1);
-  ASSERT_FALSE(crossings.empty());
+  const SurfaceCrossings surface(grid, box.positions, box.triangles, 1);
   std::map<std::array<int, 3>, int> sum;  // by line: axis and the two other indices
-  for (const SurfaceCrossing& c : crossings) {
-    const int axis = static_cast<int>(c.edge & 3);
-    const GridIndex n = UniformGrid::indexOf(c.edge >> 2);
-    sum[{axis, n[(axis + 1) % 3], n[(axis + 2) % 3]}] += c.jump;
-    EXPECT_GE(c.at, grid.coordinate(axis, n[axis]));
-    EXPECT_LE(c.at, grid.coordinate(axis, n[axis] + 1));
-  }
+  std::size_t count = 0;
+  for (const GridIndex& n : allNodes(grid))
+    for (int axis = 0; axis < 3; ++axis) {
+      std::vector<SurfaceCrossing> crossings;
+      surface.addTo(crossings, UniformGrid::key(n, axis));
+      for (const SurfaceCrossing& c : crossings) {
+        sum[{axis, n[(axis + 1) % 3], n[(axis + 2) % 3]}] += c.jump;
+        EXPECT_GE(c.at, grid.coordinate(axis, n[axis]));
+        EXPECT_LE(c.at, grid.coordinate(axis, n[axis] + 1));
+        ++count;
+      }
+    }
+  EXPECT_GT(count, 300u);
   for (const auto& [line, total] : sum) EXPECT_EQ(total, 0);
 }
 
-TEST(SurfaceCrossings, DoNotDependOnTheThreads) {
-  const TriangleMesh sheet = shapes::sheet(12, 9);
-  const UniformGrid grid = gridAround(sheet, 1, 0.17);
-  const auto one = surfaceCrossings(grid, sheet.positions, sheet.triangles, {}, 1);
-  const auto two = surfaceCrossings(grid, sheet.positions, sheet.triangles, {}, 2);
-  ASSERT_EQ(one.size(), two.size());
-  for (std::size_t i = 0; i < one.size(); ++i) {
-    EXPECT_EQ(one[i].edge, two[i].edge);
-    EXPECT_EQ(one[i].at, two[i].at);
-  }
+TEST(SurfaceCrossings, OfAPlaneAreWhereItIs) {
+  const UniformGrid grid({0, 0, 0}, 1, {4, 4, 4});
+  const std::vector<Vec3> positions{{0.5, 0.5, 1.25}, {3.5, 0.5, 1.25}, {0.5, 3.5, 1.25}};
+  const std::vector<Triangle> triangles{{0, 1, 2}};
+  const SurfaceCrossings surface(grid, positions, triangles, 1);
+  std::vector<SurfaceCrossing> crossings;
+  surface.addTo(crossings, UniformGrid::key({1, 1, 0}, 2));
+  surface.addTo(crossings, UniformGrid::key({1, 1, 1}, 0));
+  surface.addTo(crossings, UniformGrid::key({3, 3, 1}, 2));
+  EXPECT_TRUE(crossings.empty());
+  surface.addTo(crossings, UniformGrid::key({1, 1, 1}, 2));
+  ASSERT_EQ(crossings.size(), 1u);
+  EXPECT_EQ(crossings[0].at, 1.25);
+  EXPECT_EQ(crossings[0].jump, -1);
 }
 
 TEST(SurfaceCrossings, OfATriangleThatTouchesAGridLineAreRefused) {
   const UniformGrid grid({0, 0, 0}, 1, {4, 4, 4});
   const std::vector<Vec3> positions{{1, 1, 0.5}, {3, 1, 0.5}, {1, 3, 0.5}};
   const std::vector<Triangle> triangles{{0, 1, 2}};
-  EXPECT_THROW((void)surfaceCrossings(grid, positions, triangles, {}, 1), GridTouches);
+  const SurfaceCrossings surface(grid, positions, triangles, 1);
+  std::vector<SurfaceCrossing> crossings;
+  EXPECT_THROW(surface.addTo(crossings, UniformGrid::key({1, 1, 0}, 2)), GridTouches);
 }
 
 TEST(KeyIndex, NumbersKeysAsTheyArrive) {
@@ -169,7 +180,9 @@ TEST(FollowContour, FindsWhatASearchOfEveryEdgeFinds) {
   const ClosestPointTree tree(sheet);
   const Membership membership(sheet, tree, sheet.triangles.size(), r);
   const UniformGrid grid = gridAround(sheet, r + 0.5, 0.3);
-  const CrossedEdges crossed(surfaceCrossings(grid, sheet.positions, sheet.triangles, {}, 2), {});
+  const SurfaceCrossings surface(grid, sheet.positions, sheet.triangles, 2);
+  const SurfaceCrossings nothing(grid, sheet.positions, {}, 1);
+  const CarrierCrossings crossed(surface, nothing);
   std::vector<GridIndex> rimCells;
   for (const RimWay& way : rimWays(grid, sheet.positions, rimOf(sheet.positions.size(), sheet.triangles)))
     for (const RimVisit& visit : way) rimCells.push_back(visit.cell);

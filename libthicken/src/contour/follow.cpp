@@ -14,7 +14,7 @@ namespace {
 // Cells are visited in waves, so that each wave's nodes are evaluated on all threads.
 class Follower {
  public:
-  Follower(const UniformGrid& grid, const CrossedEdges& carrier, const Membership& membership,
+  Follower(const UniformGrid& grid, const CarrierCrossings& carrier, const Membership& membership,
            NodeField& field, const RunContext& context, int threads)
       : grid_(grid),
         carrier_(carrier),
@@ -103,12 +103,16 @@ class Follower {
 
   void examine(std::size_t firstEdge) {
     constexpr std::size_t kGrain = 1024;
+    constexpr double kSure = 1.001;
     const std::size_t count = edges_.size() - firstEdge;
     std::vector<std::vector<Crossing>> parts((count + kGrain - 1) / kGrain);
     parallelFor(count, threads_, context_, kGrain, [&](std::size_t i) {
       const Edge& e = edges_[firstEdge + i];
       const std::uint64_t key = UniformGrid::key(UniformGrid::indexOf(field_.key(e.low)), e.axis);
-      crossEdge(grid_, field_, key, e.low, e.high, carrier_.of(key), parts[i / kGrain]);
+      // An edge is as long as a cell is wide, so that nothing crosses it which is farther from its end.
+      const bool reached = field_[e.low].carrierDistance <= kSure * grid_.width();
+      crossEdge(grid_, field_, key, e.low, e.high,
+                reached ? carrier_.of(key) : std::vector<SurfaceCrossing>(), parts[i / kGrain]);
     });
     for (const auto& part : parts)
       for (std::size_t i = 0; i < part.size(); ++i) {
@@ -138,7 +142,7 @@ class Follower {
   };
 
   const UniformGrid& grid_;
-  const CrossedEdges& carrier_;
+  const CarrierCrossings& carrier_;
   const Membership& membership_;
   NodeField& field_;
   const RunContext& context_;
@@ -154,7 +158,7 @@ class Follower {
 }  // namespace
 
 std::vector<Crossing> followContour(const UniformGrid& grid, std::span<const GridIndex> rimCells,
-                                    const Seeds& seeds, const CrossedEdges& carrier,
+                                    const Seeds& seeds, const CarrierCrossings& carrier,
                                     const Membership& membership, NodeField& field, const RunContext& context,
                                     int threads) {
   return Follower(grid, carrier, membership, field, context, threads).run(rimCells, seeds);

@@ -23,7 +23,7 @@ struct Seeds {
 /// placed. Seeds in cells that the contour is already known to pass are not looked at.
 [[nodiscard]] std::vector<Crossing> followContour(const UniformGrid& grid,
                                                   std::span<const GridIndex> rimCells, const Seeds& seeds,
-                                                  const CrossedEdges& carrier, const Membership& membership,
+                                                  const CarrierCrossings& carrier, const Membership& membership,
                                                   NodeField& field, const RunContext& context, int threads);
 
 }  // namespace thicken

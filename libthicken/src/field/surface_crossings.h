@@ -9,9 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "field/key_index.h"
+#include "exact/box_tree.h"
 #include "field/uniform_grid.h"
-#include "thicken/run_context.h"
 
 namespace thicken {
 
@@ -21,29 +20,38 @@ struct SurfaceCrossing {
   int jump;            ///< what inside − outside changes by in the axis' direction: −1 leaves the solid
 };
 
-/// All crossings, sorted by edge, then along it. Throws GridTouches where a sign is 0.
-[[nodiscard]] std::vector<SurfaceCrossing> surfaceCrossings(const UniformGrid& grid,
-                                                            std::span<const Vec3> positions,
-                                                            std::span<const Triangle> triangles,
-                                                            const RunContext& context, int threads);
-
-/// Crossings by the edge that they lie on.
-class CrossedEdges {
+/// The crossings of a surface, found by edge: most edges that a contour asks for are far from all triangles,
+/// and a surface may cross a great many that none asks for.
+class SurfaceCrossings {
  public:
-  /// Of two sets of crossings, each in the order of surfaceCrossings().
-  CrossedEdges(std::span<const SurfaceCrossing> one, std::span<const SurfaceCrossing> other);
+  /// `positions` and `triangles` must outlive this.
+  SurfaceCrossings(const UniformGrid& grid, std::span<const Vec3> positions,
+                   std::span<const Triangle> triangles, int threads)
+      : grid_(grid), positions_(positions), triangles_(triangles), tree_(positions, triangles, threads) {}
 
-  /// Those on one edge, along it.
-  [[nodiscard]] std::span<const SurfaceCrossing> of(std::uint64_t edge) const {
-    const std::uint32_t i = index_.find(edge);
-    if (i == KeyIndex::kAbsent) return {};
-    return std::span(crossings_).subspan(start_[i], start_[i + 1] - start_[i]);
-  }
+  /// Appends those on `edge` (UniformGrid::key(node, axis)), in no order. Throws GridTouches where a sign is
+  /// 0.
+  void addTo(std::vector<SurfaceCrossing>& out, std::uint64_t edge) const;
 
  private:
-  std::vector<SurfaceCrossing> crossings_;
-  KeyIndex index_;
-  std::vector<std::uint32_t> start_;
+  UniformGrid grid_;
+  std::span<const Vec3> positions_;
+  std::span<const Triangle> triangles_;
+  exact::BoxTree tree_;
+};
+
+/// The crossings of a surface and of what a carrier has beyond it.
+class CarrierCrossings {
+ public:
+  /// Both must outlive this.
+  CarrierCrossings(const SurfaceCrossings& surface, const SurfaceCrossings& beyond)
+      : surface_(surface), beyond_(beyond) {}
+
+  /// Those on one edge, along it.
+  [[nodiscard]] std::vector<SurfaceCrossing> of(std::uint64_t edge) const;
+
+ private:
+  const SurfaceCrossings &surface_, &beyond_;
 };
 
 }  // namespace thicken

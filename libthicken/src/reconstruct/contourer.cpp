@@ -78,7 +78,7 @@ Contour Contourer::contour(const Carrier& carrier, const Membership& membership,
 
 void Contourer::startGrid() {
   grid_ = gridFor(surface_, thickness_, width_, ++shifts_);
-  onSurface_ = surfaceCrossings(grid_, surface_.positions, surface_.triangles, context_, threads_);
+  onSurface_.emplace(grid_, surface_.positions, surface_.triangles, threads_);
   field_.emplace(grid_);
   beyondSurface_.clear();
   changed_.reset();
@@ -89,8 +89,8 @@ Contour Contourer::attempt(const Carrier& carrier, const Membership& membership,
                            Stopwatch& watch) {
   const std::span<const Triangle> beyond =
       std::span(carrier.mesh.triangles).subspan(surface_.triangles.size());
-  const CrossedEdges crossed(onSurface_,
-                             surfaceCrossings(grid_, carrier.mesh.positions, beyond, context_, threads_));
+  const SurfaceCrossings onRest(grid_, carrier.mesh.positions, beyond, threads_);
+  const CarrierCrossings crossed(*onSurface_, onRest);
   Contour made;
   made.ways = rimWays(grid_, carrier.mesh.positions, carrier.rim);
   std::vector<Corners> corners(beyond.size());

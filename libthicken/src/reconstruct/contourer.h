@@ -54,7 +54,7 @@ class Contourer {
   int threads_;
   int shifts_ = -1;
   UniformGrid grid_;
-  std::vector<SurfaceCrossing> onSurface_;
+  std::optional<SurfaceCrossings> onSurface_;
   std::optional<NodeField> field_;
   std::vector<Corners> beyondSurface_;  ///< triangles of the last carrier that are not S's, sorted
   std::optional<ClosestPointTree> changed_;

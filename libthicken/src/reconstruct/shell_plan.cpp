@@ -57,10 +57,6 @@ double longestEdge(const TriangleMesh& mesh, TriangleId t) {
   return std::max({(q - p).norm(), (r - q).norm(), (p - r).norm()});
 }
 
-// Squares of a cell on S, whose crossings with the grid are all held. No finer cells are chosen for however
-// little there is to contour.
-constexpr double kMostCrossed = 1e7;
-
 ShellPlan planFor(const TriangleMesh& surface, const SweepResult& swept, std::span<const double> errors,
                   double error, const Options& options) {
   ShellPlan plan;
@@ -71,9 +67,6 @@ ShellPlan planFor(const TriangleMesh& surface, const SweepResult& swept, std::sp
   }
   if (plan.keepsAll()) return plan;
   plan.width = cellWidth(surface, plan.area, options);
-  if (options.cell || options.resolution) return plan;
-  plan.width = std::max(plan.width, std::sqrt(areaOf(surface) / kMostCrossed));
-  if (plan.width >= options.thickness / 2) std::fill(plan.keep.begin(), plan.keep.end(), std::uint8_t{1});
   return plan;
 }
 
