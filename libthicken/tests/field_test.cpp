@@ -33,6 +33,12 @@ std::vector<GridIndex> allNodes(const UniformGrid& grid) {
   return nodes;
 }
 
+TriangleMesh flatSheet(VertexId columns, VertexId rows, double z) {
+  TriangleMesh mesh = shapes::sheet(columns, rows);
+  for (Vec3& p : mesh.positions) p.z() = z;
+  return mesh;
+}
+
 TEST(SurfaceCrossings, OfAClosedSurfaceCancelAlongEveryLine) {
   const TriangleMesh box = shapes::box({0, 0, 0}, {3, 2, 1});
   const UniformGrid grid = gridAround(box, 0.5, 0.23);
@@ -138,6 +144,27 @@ TEST(Membership, AnswersAsOneTreeOfTheCarrier) {
     onSkirt += c.triangle >= sheet.triangles.size();
   }
   EXPECT_GT(onSkirt, 100u);
+}
+
+// A piece of the upper sheet's shell, between sheets that face each other: what begins before it is the lower
+// sheet's material, or nothing.
+TEST(Membership, SeesAnotherSheetsMaterialBeforeAPieceOfShell) {
+  const double r = 1;
+  for (const double gap : {1.5, 2.2}) {
+    TriangleMesh sheets = shapes::together(flatSheet(10, 8, 0), shapes::reversed(flatSheet(10, 8, -gap)));
+    TriangleMesh carrier = sheets;
+    const auto first = static_cast<VertexId>(carrier.positions.size());
+    for (const auto& [x, y] : {std::pair{3, 3}, {7, 3}, {5, 6}}) carrier.positions.emplace_back(x, y, -r);
+    carrier.triangles.push_back({first, first + 2, first + 1});  // faces down, away from its sheet
+    const ClosestPointTree tree(sheets);
+    const auto standingWith = [&](Region region) {
+      std::vector<Region> regions(carrier.triangles.size(), Region::kOriginal);
+      regions.back() = region;
+      return Membership(carrier, tree, sheets.triangles.size(), r, regions).probe({5, 4, -r - 0.05}).standing;
+    };
+    EXPECT_EQ(standingWith(Region::kWall), Standing::kRim);
+    EXPECT_EQ(standingWith(Region::kShell), gap < 2 * r ? Standing::kInside : Standing::kFar) << gap;
+  }
 }
 
 // What is forgotten is at least what changes.

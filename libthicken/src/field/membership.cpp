@@ -45,10 +45,24 @@ TriangleMesh beyondSurface(const TriangleMesh& carrier, std::size_t from, std::s
 }  // namespace
 
 Membership::Membership(const TriangleMesh& carrier, const ClosestPointTree& surface,
-                       std::size_t surfaceTriangles, double thickness, int threads)
+                       std::size_t surfaceTriangles, double thickness, std::span<const Region> region,
+                       int threads)
     : surface_(surface),
       beyond_(beyondSurface(carrier, surfaceTriangles, atRim_), threads),
-      thickness_(thickness) {}
+      thickness_(thickness) {
+  if (!region.empty())
+    region_.assign(region.begin() + static_cast<std::ptrdiff_t>(surfaceTriangles), region.end());
+}
+
+// Before a wall is the cross-section. Before a piece of shell nothing is behind the sheet that it belongs to,
+// but another sheet may be so near that this is in its material.
+Standing Membership::beforeCarrier(const Vec3& p, const ClosestPoint& onSurface, TriangleId beyond) const {
+  if (region_.empty() || region_[beyond - atRim_] != Region::kShell) return Standing::kRim;
+  constexpr double kOff = 0.01;  // that a piece of shell may be, in r, by which no material begins before it
+  const bool inside =
+      !onSurface.onRim && onSurface.distance < (1 - kOff) * thickness_ && behind(p, onSurface);
+  return inside ? Standing::kInside : Standing::kFar;
+}
 
 Probe Membership::probe(const Vec3& p) const {
   const ClosestPoint c = *surface_.closest(p);
@@ -71,7 +85,7 @@ Probe Membership::probe(const Vec3& p) const {
                       : far           ? Standing::kFar
                                       : Standing::kInside;
   else if (!behind(p, onCarrier))
-    result.standing = onSurface ? Standing::kFront : Standing::kRim;
+    result.standing = onSurface ? Standing::kFront : beforeCarrier(p, c, onCarrier.triangle);
   else
     result.standing = far ? Standing::kFar : Standing::kInside;
   return result;

@@ -2,12 +2,16 @@
 //
 // Definition 2 at a point, for a surface that has been extended: the carrier Ŝ is S with further
 // triangles that are already known to bound the solid (the wall next to the rim, pieces of shell).
-// Which side of Ŝ a point lies on decides where Ŝ's own faces are closest; elsewhere Definition 2.
+// Which side of Ŝ a point lies on decides where Ŝ's own faces are closest; elsewhere Definition 2. So it
+// does before a piece of shell, too, where another sheet's material may begin at once.
 #pragma once
 
 #include <cstddef>
+#include <span>
+#include <vector>
 
 #include "thicken/closest_point.h"
+#include "thicken/result.h"
 
 namespace thicken {
 
@@ -32,16 +36,20 @@ class Membership {
  public:
   /// The first `surfaceTriangles` triangles of the carrier are those of the surface, in its order. `surface`
   /// is their tree; it must outlive this. Only what the carrier has beyond them gets a tree of its own.
+  /// `region` per triangle of the carrier tells pieces of shell; empty: there are none.
   Membership(const TriangleMesh& carrier, const ClosestPointTree& surface, std::size_t surfaceTriangles,
-             double thickness, int threads = 1);
+             double thickness, std::span<const Region> region = {}, int threads = 1);
 
   [[nodiscard]] Probe probe(const Vec3& p) const;
   [[nodiscard]] double thickness() const { return thickness_; }
   [[nodiscard]] const ClosestPointTree& surface() const { return surface_; }
 
  private:
+  [[nodiscard]] Standing beforeCarrier(const Vec3& p, const ClosestPoint& onSurface, TriangleId beyond) const;
+
   const ClosestPointTree& surface_;
-  std::size_t atRim_ = 0;  ///< so many triangles of beyond_ are S's
+  std::size_t atRim_ = 0;       ///< so many triangles of beyond_ are S's
+  std::vector<Region> region_;  ///< of the others; empty: no shell
   ClosestPointTree beyond_;
   double thickness_;
 };

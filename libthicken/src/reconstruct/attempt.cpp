@@ -38,7 +38,8 @@ std::vector<TriangleId> Attempt::run(std::span<const std::uint8_t> keep, Stopwat
   walls_.fit(keep);
   const Carrier carrier =
       makeCarrier(swept_, walls_.positions(), walls_.up(), surface_.triangles.size(), keep, width_);
-  const Membership membership(carrier.mesh, tree_, surface_.triangles.size(), options_.thickness, threads_);
+  const Membership membership(carrier.mesh, tree_, surface_.triangles.size(), options_.thickness,
+                              carrier.region, threads_);
   watch.lap("sweep");
   Contour contour = contourer_.contour(carrier, membership, openShell(keep), watch);
   assembly_ = assemble(carrier, contour.dual, contour.crossings, contour.ways);

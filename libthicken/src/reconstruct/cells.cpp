@@ -48,7 +48,7 @@ void requireRoomForField(const TriangleMesh& surface, double area, double r, dou
   requireMemory(area, r, width, context);
 }
 
-double cellWidth(const TriangleMesh& surface, double area, const Options& options) {
+double cellWidth(const TriangleMesh& surface, double area, const Options& options, double mostCells) {
   const double r = options.thickness;
   if (options.cell) return *options.cell;
   const Bounds b = boundsOf(surface);
@@ -64,7 +64,7 @@ double cellWidth(const TriangleMesh& surface, double area, const Options& option
     return w;
   }
   // r/6 is round to within 0.2 % nearly everywhere; coarser where that would take very many cells.
-  const double byArea = std::sqrt(area / kManyCells);
+  const double byArea = std::sqrt(area / mostCells);
   double finest = r / 6;
   if (options.tolerance) finest = std::clamp(std::sqrt(3 * *options.tolerance * r), r / 20, finest);
   return std::clamp(byArea, finest, r / 2.2);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "exact/box_tree.h"
+#include "measure/measure.h"
 #include "mesh/bounds.h"
 #include "mesh/normals.h"
 #include "parallel_for.h"
@@ -60,15 +61,18 @@ void separateFans(const SweepResult& swept, std::vector<std::uint8_t>& keep) {
 }
 
 // Gives pieces of the sweep's shell near the triangles that meet over to the contour, with all that its own
-// rim would pinch. Returns whether there were any; each is given over once.
+// rim would pinch. Returns whether there were any; each is given over once, and large ones, of a great many
+// cells, not at all.
 bool yield(const SweepResult& swept, const exact::BoxTree& shell, const Assembly& assembly,
-           std::span<const TriangleId> meeting, double reach, std::vector<std::uint8_t>& yielded,
-           std::vector<std::uint8_t>& keep) {
+           std::span<const TriangleId> meeting, double reach, double width,
+           std::vector<std::uint8_t>& yielded, std::vector<std::uint8_t>& keep) {
+  constexpr double kLargest = 1000;  // cells
   bool any = false;
   for (const TriangleId t : meeting)
     for (const TriangleId s : shellNear(shell, assembly.mesh, t, reach)) {
       if (yielded[s]) continue;
       yielded[s] = 1;
+      if (areaOf(swept.mesh.positions, swept.mesh.triangles[s]) > kLargest * width * width) continue;
       any |= keep[s] != 0;
       keep[s] = 0;
     }
@@ -178,7 +182,7 @@ std::optional<Reconstruction> complete(const TriangleMesh& surface, const Closes
     const bool lifted = !tired && attempt.liftWalls(meeting);
     const double nearby = width * kFirstReach * std::pow(kReachGrowth, static_cast<double>(yields));
     if (!tired && refinements == 0 && yields++ < kMostYields &&
-        yield(swept, shell, attempt.assembly(), meeting, nearby, yielded, keep))
+        yield(swept, shell, attempt.assembly(), meeting, nearby, width, yielded, keep))
       continue;
     if (lifted) continue;
     if (!task.mayKeepShell) return std::nullopt;

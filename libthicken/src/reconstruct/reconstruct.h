@@ -29,13 +29,15 @@ struct Reconstruction {
   std::size_t predicted = 0;   ///< bytes for the field and its contour, beyond the sweep's
 };
 
+/// Cells that widths are chosen for, at most, where none is given: for the whole shell, and beside a sweep,
+/// where only a thickness far below the extent of the surface asks for so many.
+inline constexpr double kManyCells = 6e5, kManyBesideSweep = 2.5e5;
+
 /// The width of the cells that `options` mean where `area` mm² of `surface` are to be contoured, mm: as
 /// given, by the resolution, or chosen. Throws kInvalidArgument where a resolution gives cells of r/2 or more
 /// (Remark 1).
-[[nodiscard]] double cellWidth(const TriangleMesh& surface, double area, const Options& options);
-
-/// Cells that widths are chosen for, at most, where none is given.
-inline constexpr double kManyCells = 6e5;
+[[nodiscard]] double cellWidth(const TriangleMesh& surface, double area, const Options& options,
+                               double mostCells = kManyCells);
 
 /// Bytes that the field and its contour take at their peak, beyond what the sweep takes.
 [[nodiscard]] std::size_t fieldBytes(double area, double width);

@@ -66,7 +66,7 @@ ShellPlan planFor(const TriangleMesh& surface, const SweepResult& swept, std::sp
     if (!plan.keep[t]) plan.area += areaOf(swept.mesh.positions, swept.mesh.triangles[t]);
   }
   if (plan.keepsAll()) return plan;
-  plan.width = cellWidth(surface, plan.area, options);
+  plan.width = cellWidth(surface, plan.area, options, kManyBesideSweep);
   return plan;
 }
 
@@ -106,8 +106,8 @@ ShellPlan planShell(const TriangleMesh& surface, const SweepResult& swept, const
   const double error = contourError(plan.width, r);
   if (error > finest) plan = planFor(surface, swept, errors, error * r, options);
   // A thickness far below the extent of the surface would take any number of cells.
-  for (double area = std::min(plan.area, kManyCells * plan.width * plan.width);
-       cellsOf(swept.mesh, plan) > kManyCells; area /= 2)
+  for (double area = std::min(plan.area, kManyBesideSweep * plan.width * plan.width);
+       cellsOf(swept.mesh, plan) > kManyBesideSweep; area /= 2)
     plan = planFor(surface, swept, errors, affordableError(swept.mesh, errors, area), options);
   return plan;
 }
