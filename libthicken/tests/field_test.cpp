@@ -169,7 +169,7 @@ TEST(FollowContour, FindsWhatASearchOfEveryEdgeFinds) {
   const ClosestPointTree tree(sheet);
   const Membership membership(sheet, tree, sheet.triangles.size(), r);
   const UniformGrid grid = gridAround(sheet, r + 0.5, 0.3);
-  const CrossedEdges crossed(surfaceCrossings(grid, sheet.positions, sheet.triangles, {}, 2), {});
+  const CrossedEdges crossed(surfaceCrossings(grid, sheet.positions, sheet.triangles, {}, 2), {}, 2);
   std::vector<GridIndex> rimCells;
   for (const RimWay& way : rimWays(grid, sheet.positions, rimOf(sheet.positions.size(), sheet.triangles)))
     for (const RimVisit& visit : way) rimCells.push_back(visit.cell);

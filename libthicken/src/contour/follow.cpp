@@ -28,8 +28,7 @@ class Follower {
     std::vector<GridIndex> further;
     for (const Vec3& p : placed(seeds)) further.push_back(cellOf(p));
     followFrom(further);
-    parallelSort(found_, inOrder, threads_);
-    return std::move(found_);
+    return sorted();
   }
 
  private:
@@ -58,7 +57,7 @@ class Follower {
 
   [[nodiscard]] bool isCrossed(const GridIndex& cell) const {
     const std::uint32_t i = cells_.find(UniformGrid::key(cell));
-    return i != KeyIndex::kAbsent && crossed_[i] != 0;
+    return i != BlockIndex::kAbsent && crossed_[i] != 0;
   }
 
   std::uint32_t addCell(std::uint64_t key) {
@@ -69,16 +68,11 @@ class Follower {
 
   void follow() {
     while (done_ < cells_.size()) {
-      const std::size_t end = cells_.size(), firstEdge = edges_.size();
+      const std::size_t end = cells_.size();
       field_.countCells(end - done_);
-      for (; done_ < end; ++done_) {
-        if (done_ + kAhead < end)
-          for (int c = 0; c < 8; ++c)
-            field_.prefetch(nodeOf(UniformGrid::indexOf(cells_.keys()[done_ + kAhead]), c));
-        enter(UniformGrid::indexOf(cells_.keys()[done_]));
-      }
+      for (; done_ < end; ++done_) enter(UniformGrid::indexOf(cells_.keys()[done_]));
       field_.evaluate(membership_, context_, threads_);
-      examine(firstEdge);
+      examine();
     }
   }
 
@@ -101,25 +95,44 @@ class Follower {
       }
   }
 
-  void examine(std::size_t firstEdge) {
-    constexpr std::size_t kGrain = 1024;
-    const std::size_t count = edges_.size() - firstEdge;
-    std::vector<std::vector<Crossing>> parts((count + kGrain - 1) / kGrain);
-    parallelFor(count, threads_, context_, kGrain, [&](std::size_t i) {
-      const Edge& e = edges_[firstEdge + i];
+  void examine() {
+    constexpr std::size_t kGrain = 256;
+    std::vector<std::vector<Crossing>> parts((edges_.size() + kGrain - 1) / kGrain);
+    parallelFor(edges_.size(), threads_, context_, kGrain, [&](std::size_t i) {
+      const Edge& e = edges_[i];
       const std::uint64_t key = UniformGrid::key(UniformGrid::indexOf(field_.key(e.low)), e.axis);
       crossEdge(grid_, field_, key, e.low, e.high, carrier_.of(key), parts[i / kGrain]);
     });
-    for (const auto& part : parts)
-      for (std::size_t i = 0; i < part.size(); ++i) {
-        if (i + kAhead < part.size())
-          for (int k = 0; k < 4; ++k) cells_.prefetch(cellAround(part[i + kAhead].edge, k));
-        found_.push_back(part[i]);
-        for (int k = 0; k < 4; ++k) crossed_[addCell(cellAround(part[i].edge, k))] = 1;
-      }
+    for (auto& part : parts) {
+      for (const Crossing& c : part)
+        for (int k = 0; k < 4; ++k) crossed_[addCell(cellAround(c.edge, k))] = 1;
+      if (!part.empty()) found_.push_back(std::move(part));
+    }
+    edges_.clear();
   }
 
-  static constexpr std::size_t kAhead = 8;  // cells or crossings whose look-ups are prepared
+  // All that was found, in order. What is sorted is a fraction of what a crossing holds.
+  [[nodiscard]] std::vector<Crossing> sorted() const {
+    struct Place {
+      std::uint64_t edge;
+      double from;
+      const Crossing* crossing;
+    };
+    std::vector<std::size_t> first{0};
+    for (const auto& part : found_) first.push_back(first.back() + part.size());
+    std::vector<Place> places(first.back());
+    parallelFor(found_.size(), threads_, context_, 64, [&](std::size_t i) {
+      for (std::size_t k = 0; k < found_[i].size(); ++k)
+        places[first[i] + k] = {found_[i][k].edge, found_[i][k].from, &found_[i][k]};
+    });
+    parallelSort(
+        places,
+        [](const Place& a, const Place& b) { return a.edge != b.edge ? a.edge < b.edge : a.from < b.from; },
+        threads_);
+    std::vector<Crossing> all(places.size());
+    parallelFor(all.size(), threads_, context_, 4096, [&](std::size_t i) { all[i] = *places[i].crossing; });
+    return all;
+  }
 
   // Corner c of a cell.
   [[nodiscard]] static std::uint64_t nodeOf(const GridIndex& cell, int c) {
@@ -143,12 +156,12 @@ class Follower {
   NodeField& field_;
   const RunContext& context_;
   int threads_;
-  KeyIndex cells_;
+  BlockIndex cells_;
   std::vector<std::uint8_t> crossed_;  ///< per cell
   std::size_t done_ = 0;               ///< cells
   std::vector<std::uint8_t> listed_;   ///< per node, a bit for each axis: its edge is in edges_
-  std::vector<Edge> edges_;
-  std::vector<Crossing> found_;
+  std::vector<Edge> edges_;            ///< of the wave
+  std::vector<std::vector<Crossing>> found_;
 };
 
 }  // namespace

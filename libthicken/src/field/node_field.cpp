@@ -8,7 +8,7 @@
 namespace thicken {
 
 void NodeField::evaluate(const Membership& membership, const RunContext& context, int threads) {
-  parallelFor(wanted_.size(), threads, context, 64, [&](std::size_t i) {
+  parallelFor(wanted_.size(), threads, context, 16, [&](std::size_t i) {
     Sample& s = samples_[wanted_[i]];
     const Probe p = membership.probe(grid_.node(UniformGrid::indexOf(index_.keys()[wanted_[i]])));
     s.distance = p.distance;

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "field/key_index.h"
+#include "field/block_index.h"
 #include "field/membership.h"
 #include "field/uniform_grid.h"
 #include "thicken/run_context.h"
@@ -39,7 +39,6 @@ class NodeField {
     }
     return i;
   }
-  void prefetch(std::uint64_t node) const { index_.prefetch(node); }
   [[nodiscard]] const Sample& operator[](std::uint32_t i) const { return samples_[i]; }
   /// Calls visit(place, sample) for every node, in the order in which they were wanted.
   template <class Visit>
@@ -63,7 +62,7 @@ class NodeField {
 
  private:
   UniformGrid grid_;
-  KeyIndex index_;
+  BlockIndex index_;
   std::vector<Sample> samples_;
   std::vector<std::uint32_t> wanted_;
   std::size_t cells_ = 0;

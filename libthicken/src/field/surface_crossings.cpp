@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "exact/predicates.h"
+#include "mesh/parallel_sort.h"
 #include "parallel_for.h"
 
 namespace thicken {
@@ -99,16 +100,23 @@ std::vector<SurfaceCrossing> surfaceCrossings(const UniformGrid& grid, std::span
   for (const auto& part : parts) count += part.size();
   all.reserve(count);
   for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
-  std::sort(all.begin(), all.end(), before);
+  parallelSort(all, before, threads);
   return all;
 }
 
-CrossedEdges::CrossedEdges(std::span<const SurfaceCrossing> one, std::span<const SurfaceCrossing> other) {
-  crossings_.resize(one.size() + other.size());
-  std::merge(one.begin(), one.end(), other.begin(), other.end(), crossings_.begin(), before);
-  for (std::uint32_t i = 0; i < crossings_.size(); ++i)
-    if (index_.insert(crossings_[i].edge).second) start_.push_back(i);
-  start_.push_back(static_cast<std::uint32_t>(crossings_.size()));
+CrossedEdges::CrossedEdges(std::span<const SurfaceCrossing> one, std::span<const SurfaceCrossing> other,
+                           int threads)
+    : crossings_(one.size() + other.size()), filter_(crossings_.size()) {
+  parallelMerge(one, other, crossings_.data(), before, threads);
+  for (const SurfaceCrossing& c : crossings_) filter_.add(c.edge);
+}
+
+std::span<const SurfaceCrossing> CrossedEdges::found(std::uint64_t edge) const {
+  const auto begin = std::lower_bound(crossings_.begin(), crossings_.end(), edge,
+                                      [](const SurfaceCrossing& c, std::uint64_t e) { return c.edge < e; });
+  auto end = begin;
+  while (end != crossings_.end() && end->edge == edge) ++end;
+  return {begin, end};
 }
 
 }  // namespace thicken

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "field/key_index.h"
+#include "field/key_filter.h"
 #include "field/uniform_grid.h"
 #include "thicken/run_context.h"
 
@@ -27,23 +27,22 @@ struct SurfaceCrossing {
                                                             std::span<const Triangle> triangles,
                                                             const RunContext& context, int threads);
 
-/// Crossings by the edge that they lie on.
+/// Crossings by the edge that they lie on. Nearly all edges that are asked for have none.
 class CrossedEdges {
  public:
   /// Of two sets of crossings, each in the order of surfaceCrossings().
-  CrossedEdges(std::span<const SurfaceCrossing> one, std::span<const SurfaceCrossing> other);
+  CrossedEdges(std::span<const SurfaceCrossing> one, std::span<const SurfaceCrossing> other, int threads);
 
   /// Those on one edge, along it.
   [[nodiscard]] std::span<const SurfaceCrossing> of(std::uint64_t edge) const {
-    const std::uint32_t i = index_.find(edge);
-    if (i == KeyIndex::kAbsent) return {};
-    return std::span(crossings_).subspan(start_[i], start_[i + 1] - start_[i]);
+    return filter_.mayHave(edge) ? found(edge) : std::span<const SurfaceCrossing>();
   }
 
  private:
+  [[nodiscard]] std::span<const SurfaceCrossing> found(std::uint64_t edge) const;
+
   std::vector<SurfaceCrossing> crossings_;
-  KeyIndex index_;
-  std::vector<std::uint32_t> start_;
+  KeyFilter filter_;
 };
 
 }  // namespace thicken
