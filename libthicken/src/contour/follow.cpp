@@ -2,6 +2,7 @@
 #include "contour/follow.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "contour/face_matching.h"
 #include "mesh/parallel_sort.h"
@@ -11,7 +12,9 @@ namespace thicken {
 
 namespace {
 
-// Cells are visited in waves, so that each wave's nodes are evaluated on all threads.
+// Cells are visited in batches, each of which goes through three steps: its nodes and edges are listed, its
+// nodes are evaluated, its edges are examined. Three batches are under way at any time, one in each step.
+// Listing is for one thread, in a fixed order; the others evaluate and examine meanwhile.
 class Follower {
  public:
   Follower(const UniformGrid& grid, const CrossedEdges& carrier, const Membership& membership,
@@ -66,14 +69,44 @@ class Follower {
     return i;
   }
 
+  struct Edge {
+    std::uint64_t key;
+    std::uint32_t low, high;  ///< nodes
+  };
+  struct Batch {
+    std::size_t cells = 0;
+    std::vector<NodeField::Wanted> nodes;
+    std::vector<Edge> edges;
+    std::vector<std::vector<Crossing>> found;  ///< on the edges, kEdges of them at a time
+  };
+  static constexpr std::size_t kNodes = 16, kEdges = 256;  // that a thread takes at a time
+
   void follow() {
-    while (done_ < cells_.size()) {
-      const std::size_t end = cells_.size();
-      field_.countCells(end - done_);
-      for (; done_ < end; ++done_) enter(UniformGrid::indexOf(cells_.keys()[done_]));
-      field_.evaluate(membership_, context_, threads_);
-      examine();
+    Batch toEvaluate, toExamine, examined;
+    while (done_ < cells_.size() || toEvaluate.cells + toExamine.cells + examined.cells > 0) {
+      const std::size_t nodeParts = (toEvaluate.nodes.size() + kNodes - 1) / kNodes;
+      toExamine.found.resize((toExamine.edges.size() + kEdges - 1) / kEdges);
+      std::size_t mayWait = cells_.size() - done_;
+      for (const auto& part : examined.found) mayWait += 4 * part.size();
+      field_.makeRoom(8 * share(mayWait, toEvaluate.cells + toExamine.cells));
+      Batch listed;
+      parallelFor(1 + nodeParts + toExamine.found.size(), threads_, context_, 1, [&](std::size_t i) {
+        if (i == 0) {
+          markCells(examined);
+          listed = list(share(cells_.size() - done_, toEvaluate.cells + toExamine.cells));
+        } else if (i <= nodeParts) {
+          evaluate(toEvaluate, i - 1);
+        } else {
+          examine(toExamine, i - 1 - nodeParts);
+        }
+      });
+      examined = std::exchange(toExamine, std::exchange(toEvaluate, std::move(listed)));
     }
+  }
+
+  // How many cells of those that wait are taken, so that the three batches are of one size.
+  [[nodiscard]] static std::size_t share(std::size_t waiting, std::size_t underWay) {
+    return std::min(waiting, (waiting + underWay + 2) / 3);
   }
 
   void enterNeighbours(const GridIndex& cell) {
@@ -81,8 +114,18 @@ class Follower {
       addCell(UniformGrid::key({cell[0] + c % 3 - 1, cell[1] + c / 3 % 3 - 1, cell[2] + c / 9 - 1}));
   }
 
+  Batch list(std::size_t cells) {
+    Batch batch;
+    batch.cells = cells;
+    field_.countCells(cells);
+    for (const std::size_t end = done_ + cells; done_ < end; ++done_)
+      enter(UniformGrid::indexOf(cells_.keys()[done_]), batch.edges);
+    batch.nodes = field_.takeWanted();
+    return batch;
+  }
+
   // Lists the cell's nodes and edges that no cell before it had.
-  void enter(const GridIndex& cell) {
+  void enter(const GridIndex& cell, std::vector<Edge>& edges) {
     std::array<std::uint32_t, 8> corner{};
     for (int c = 0; c < 8; ++c) corner[c] = field_.want(nodeOf(cell, c));
     listed_.resize(field_.size(), 0);
@@ -91,24 +134,32 @@ class Follower {
         std::uint8_t& listed = listed_[corner[c]];
         if ((c >> axis & 1) || (listed >> axis & 1)) continue;
         listed |= static_cast<std::uint8_t>(1 << axis);
-        edges_.push_back({corner[c], corner[c | (1 << axis)], axis});
+        edges.push_back(
+            {(nodeOf(cell, c) << 2) | static_cast<std::uint64_t>(axis), corner[c], corner[c | (1 << axis)]});
       }
   }
 
-  void examine() {
-    constexpr std::size_t kGrain = 256;
-    std::vector<std::vector<Crossing>> parts((edges_.size() + kGrain - 1) / kGrain);
-    parallelFor(edges_.size(), threads_, context_, kGrain, [&](std::size_t i) {
-      const Edge& e = edges_[i];
-      const std::uint64_t key = UniformGrid::key(UniformGrid::indexOf(field_.key(e.low)), e.axis);
-      crossEdge(grid_, field_, key, e.low, e.high, carrier_.of(key), parts[i / kGrain]);
-    });
-    for (auto& part : parts) {
+  void evaluate(const Batch& batch, std::size_t part) {
+    const std::size_t end = std::min(batch.nodes.size(), (part + 1) * kNodes);
+    for (std::size_t i = part * kNodes; i < end; ++i) field_.evaluate(batch.nodes[i], membership_);
+  }
+
+  void examine(Batch& batch, std::size_t part) const {
+    const std::size_t end = std::min(batch.edges.size(), (part + 1) * kEdges);
+    for (std::size_t i = part * kEdges; i < end; ++i) {
+      const Edge& e = batch.edges[i];
+      crossEdge(grid_, field_, e.key, e.low, e.high, carrier_.of(e.key), batch.found[part]);
+    }
+  }
+
+  // The cells around what was found are crossed; those that are new are to be visited.
+  void markCells(Batch& examined) {
+    for (auto& part : examined.found) {
       for (const Crossing& c : part)
         for (int k = 0; k < 4; ++k) crossed_[addCell(cellAround(c.edge, k))] = 1;
       if (!part.empty()) found_.push_back(std::move(part));
     }
-    edges_.clear();
+    examined = {};
   }
 
   // All that was found, in order. What is sorted is a fraction of what a crossing holds.
@@ -145,11 +196,6 @@ class Follower {
     return UniformGrid::key({n[0] + o[0], n[1] + o[1], n[2] + o[2]});
   }
 
-  struct Edge {
-    std::uint32_t low, high;  ///< nodes
-    int axis;
-  };
-
   const UniformGrid& grid_;
   const CrossedEdges& carrier_;
   const Membership& membership_;
@@ -160,7 +206,6 @@ class Follower {
   std::vector<std::uint8_t> crossed_;  ///< per cell
   std::size_t done_ = 0;               ///< cells
   std::vector<std::uint8_t> listed_;   ///< per node, a bit for each axis: its edge is in edges_
-  std::vector<Edge> edges_;            ///< of the wave
   std::vector<std::vector<Crossing>> found_;
 };
 
