@@ -66,12 +66,13 @@ void run(const std::string& input, double thickness, double cell, const std::fil
   for (const Region region : swept.region) keep.push_back(region != Region::kShell);
   DeepWalls walls(surface, tree, swept, thickness, context, kAllThreads);
   walls.fit(keep);
-  const Carrier carrier = makeCarrier(swept, walls.positions(), walls.up(), surface.triangles.size(), keep, cell);
+  const Carrier carrier =
+      makeCarrier(swept, walls.positions(), walls.up(), surface.triangles.size(), keep, cell, kAllThreads);
   const Membership membership(carrier.mesh, tree, surface.triangles.size(), thickness);
   Contourer contourer(surface, thickness, cell, context, kAllThreads);
   Stopwatch watch;
   Contour contour = contourer.contour(carrier, membership, {}, watch);
-  const Assembly assembly = assemble(carrier, contour.dual, contour.crossings, contour.ways);
+  const Assembly assembly = assemble(carrier, contour.dual, contour.crossings, contour.ways, kAllThreads);
   const std::vector<Vec3> shaped = shapedPositions(assembly, contour.dual, contour.crossings, membership,
                                                    cell, kRounds, context, kAllThreads);
   std::filesystem::create_directories(folder);

@@ -14,8 +14,8 @@ struct ClosestPointTree::Impl {
       : triangles(s.triangles),
         tree(s.positions, s.triangles, threads),
         across(neighbours(s.positions.size(), s.triangles, threads)),
-        faceNormal(faceNormals(s.positions, s.triangles)),
-        vertexNormal(vertexNormals(s.positions, s.triangles, faceNormal)),
+        faceNormal(faceNormals(s.positions, s.triangles, threads)),
+        vertexNormal(vertexNormals(s.positions, s.triangles, faceNormal, threads)),
         rimVertex(s.positions.size(), 0) {
     for (std::size_t t = 0; t < triangles.size(); ++t)
       for (int k = 0; k < 3; ++k)

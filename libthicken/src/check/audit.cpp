@@ -14,6 +14,7 @@
 #include "check/surface_facts.h"
 #include "mesh/half_edges.h"
 #include "mesh/topology.h"
+#include "parallel_for.h"
 #include "thicken/check.h"
 
 namespace thicken {
@@ -156,16 +157,18 @@ class Auditor {
   // Triangles of the surface (in the sense that the side asks for), or for Side::kBoth the edges of
   // its rim, that the solid does not have.
   [[nodiscard]] std::vector<TriangleId> missingTriangles(const HalfEdges& edges) const {
-    std::vector<TriangleId> missing;
-    for (TriangleId i = 0; i < subject_.surface.size(); ++i) {
+    std::vector<std::uint8_t> found(subject_.surface.size());
+    parallelFor(found.size(), threads_, context_, 4096, [&](std::size_t i) {
       Triangle t = subject_.surface[i];
       if (side_ == Side::kPositive) std::swap(t[1], t[2]);
       const auto uses = edges.uses(t[0], t[1]);
-      const bool found = std::any_of(uses.begin(), uses.end(), [&](const HalfEdge& e) {
+      found[i] = std::any_of(uses.begin(), uses.end(), [&](const HalfEdge& e) {
         return mesh_.triangles[e.triangle()][(e.corner() + 2) % 3] == t[2];
       });
-      if (!found) missing.push_back(i);
-    }
+    });
+    std::vector<TriangleId> missing;
+    for (TriangleId i = 0; i < found.size(); ++i)
+      if (found[i] == 0) missing.push_back(i);
     return missing;
   }
   [[nodiscard]] std::vector<TriangleId> missingRim(const HalfEdges& edges) const {
@@ -221,7 +224,7 @@ class Auditor {
                            facts.nonDegenerate && facts.intersectionFree;
     std::vector<VertexId> wrong;
     if (decidable) {
-      const Components shells = componentsOf(mesh_.positions.size(), mesh_.triangles);
+      const Components shells = componentsOf(mesh_.positions.size(), mesh_.triangles, threads_);
       const std::vector<VertexId> lowest = lowestVertices(mesh_, shells);
       for (std::uint32_t s = 0; s < shells.count; ++s)
         if (facesOutward(mesh_, edges, lowest[s]) == insideOddNumber(mesh_, tree, shells, lowest[s], s))

@@ -2,9 +2,9 @@
 #include "check/findings.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "exact/predicates.h"
+#include "mesh/buckets.h"
 #include "mesh/topology.h"
 #include "mesh/union_find.h"
 #include "parallel_for.h"
@@ -16,10 +16,16 @@ bool repeatsCorner(const Triangle& t) {
   return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
 }
 
+template <class T>
+void append(std::vector<T>& all, const std::vector<T>& part) {
+  all.insert(all.end(), part.begin(), part.end());
+}
+
 // Triangles with the same three vertices, in either sense: found by sorting them in buckets of their
 // smallest vertex.
 std::vector<std::pair<TriangleId, TriangleId>> duplicates(const TriangleMesh& mesh,
-                                                          std::span<const std::uint8_t> joined) {
+                                                          std::span<const std::uint8_t> joined,
+                                                          const RunContext& context, int threads) {
   struct Key {
     VertexId middle, largest;
     TriangleId id;
@@ -32,30 +38,30 @@ std::vector<std::pair<TriangleId, TriangleId>> duplicates(const TriangleMesh& me
     std::sort(c.begin(), c.end());
     return c;
   };
-  std::vector<std::uint32_t> offset(mesh.positions.size() + 1, 0);
-  for (TriangleId t = 0; t < mesh.triangles.size(); ++t)
-    if (joined[t] != 0) ++offset[sortedCorners(t)[0] + 1];
-  std::partial_sum(offset.begin(), offset.end(), offset.begin());
-  std::vector<Key> keys(offset.back());
-  std::vector<std::uint32_t> next(offset.begin(), offset.end() - 1);
-  for (TriangleId t = 0; t < mesh.triangles.size(); ++t) {
-    if (joined[t] == 0) continue;
-    const Triangle c = sortedCorners(t);
-    keys[next[c[0]]++] = {c[1], c[2], t};
-  }
-
-  std::vector<std::pair<TriangleId, TriangleId>> result;
-  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-    const std::span<Key> bucket = std::span(keys).subspan(offset[v], offset[v + 1] - offset[v]);
+  auto sorted = intoBuckets<Key>(mesh.triangles.size(), mesh.positions.size(), threads,
+                                 [&](std::size_t i, const auto& put) {
+                                   const auto t = static_cast<TriangleId>(i);
+                                   if (joined[t] == 0) return;
+                                   const Triangle c = sortedCorners(t);
+                                   put(c[0], Key{c[1], c[2], t});
+                                 });
+  constexpr std::size_t kBlock = 4096;
+  std::vector<std::vector<std::pair<TriangleId, TriangleId>>> parts((mesh.positions.size() + kBlock - 1) /
+                                                                    kBlock);
+  parallelFor(mesh.positions.size(), threads, context, kBlock, [&](std::size_t v) {
+    const std::span<Key> bucket =
+        std::span(sorted.values).subspan(sorted.offset[v], sorted.offset[v + 1] - sorted.offset[v]);
     std::sort(bucket.begin(), bucket.end());
     std::size_t first = 0;
     for (std::size_t i = 1; i < bucket.size(); ++i) {
       if (bucket[i].middle == bucket[first].middle && bucket[i].largest == bucket[first].largest)
-        result.emplace_back(bucket[first].id, bucket[i].id);
+        parts[v / kBlock].emplace_back(bucket[first].id, bucket[i].id);
       else
         first = i;
     }
-  }
+  });
+  std::vector<std::pair<TriangleId, TriangleId>> result;
+  for (const auto& part : parts) append(result, part);
   std::sort(result.begin(), result.end());
   return result;
 }
@@ -90,11 +96,6 @@ class PinchTest {
   std::vector<std::pair<VertexId, std::uint32_t>> ends_;  ///< other end of an edge, number of a corner
 };
 
-template <class T>
-void append(std::vector<T>& all, const std::vector<T>& part) {
-  all.insert(all.end(), part.begin(), part.end());
-}
-
 }  // namespace
 
 BadTriangles badTriangles(const TriangleMesh& mesh, bool finite, const RunContext& context, int threads) {
@@ -110,7 +111,7 @@ BadTriangles badTriangles(const TriangleMesh& mesh, bool finite, const RunContex
   });
   for (TriangleId t = 0; t < count; ++t)
     if (bad.proper[t] == 0) bad.withoutArea.push_back(t);
-  bad.duplicates = duplicates(mesh, bad.joined);
+  bad.duplicates = duplicates(mesh, bad.joined, context, threads);
   for (const auto& [first, later] : bad.duplicates) bad.joined[later] = bad.proper[later] = 0;
   return bad;
 }

@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <numeric>
+#include <unordered_map>
 
 #include "contour/face_matching.h"
-#include "mesh/parallel_sort.h"
+#include "mesh/buckets.h"
 #include "mesh/topology.h"
 #include "mesh/union_find.h"
 
@@ -33,7 +34,7 @@ class Builder {
   }
 
   DualSurface build() {
-    arcs_ = matchFaces(crossings_, passages_, threads_);
+    matching_ = matchFaces(crossings_, passages_, threads_);
     joinSectors();
     numberVertices();
     divideDoubledEdges();
@@ -69,8 +70,10 @@ class Builder {
 
   void joinSectors() {
     union_ = UnionFind(loneLoop(lone_));
-    for (const auto& [a, b] : arcs_)
-      for (const bool upper : {false, true}) union_.join(beside(a, upper), beside(b, upper));
+    union_.joinAll(2 * matching_.arcs.size(), threads_, [&](std::size_t i) {
+      const auto& [a, b] = matching_.arcs[i / 2];
+      return std::pair(beside(a, i % 2 == 1), beside(b, i % 2 == 1));
+    });
     std::uint32_t p = 0;
     for (const RimWay& way : ways_) {
       if (way.size() == 1) continue;
@@ -81,23 +84,27 @@ class Builder {
     }
   }
 
+  // In the order of the components' first elements, which are their roots.
   void numberVertices() {
-    vertexOf_.assign(loneLoop(lone_), kNone);
-    for (std::uint32_t e = 0; e < vertexOf_.size(); ++e) {
-      VertexId& v = vertexOf_[union_.root(e)];
-      if (v == kNone) {
-        v = static_cast<VertexId>(out_.cell.size());
-        out_.cell.push_back({});
+    const std::vector<std::uint32_t> root = union_.roots(threads_);
+    std::vector<std::uint32_t> first((root.size() + kPart - 1) / kPart + 1, 0);
+    forParts(root.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
+      for (std::size_t e = begin; e < end; ++e) first[part + 1] += root[e] == e;
+    });
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    out_.cell.resize(first.back());
+    vertexOf_.resize(root.size());
+    forParts(root.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
+      VertexId v = first[part];
+      for (std::size_t e = begin; e < end; ++e) {
+        if (root[e] != e) continue;
+        if (e < 4 * std::size_t{crossingCount_}) out_.cell[v] = cellOf(static_cast<std::uint32_t>(e));
+        vertexOf_[e] = v++;
       }
-      vertexOf_[e] = v;
-    }
-    for (std::uint32_t c = 0; c < crossingCount_; ++c)
-      for (int k = 0; k < 4; ++k) {
-        const std::uint64_t edge = crossings_[c].edge;
-        const GridIndex n = UniformGrid::indexOf(edge >> 2), o = sectorOffset(static_cast<int>(edge & 3), k);
-        out_.cell[vertexOf_[sector(c, static_cast<std::uint32_t>(k))]] = {n[0] + o[0], n[1] + o[1],
-                                                                          n[2] + o[2]};
-      }
+    });
+    parallelFor(root.size(), threads_, RunContext(), kPart, [&](std::size_t e) {
+      if (root[e] != e) vertexOf_[e] = vertexOf_[root[e]];
+    });
     std::uint32_t p = 0, loop = 0;
     for (const RimWay& way : ways_)
       for (const RimVisit& visit : way)
@@ -105,28 +112,42 @@ class Builder {
     out_.onEdge.assign(out_.cell.size(), 0);
   }
 
+  // Calls work(part, begin, end) for the parts of a range, on all threads.
+  template <class Work>
+  void forParts(std::size_t count, const Work& work) const {
+    parallelFor((count + kPart - 1) / kPart, threads_, RunContext(), 1,
+                [&](std::size_t part) { work(part, part * kPart, std::min(count, (part + 1) * kPart)); });
+  }
+
+  // The cell of a crossing's sector; all sectors of a component lie in one.
+  [[nodiscard]] GridIndex cellOf(std::uint32_t sector) const {
+    const std::uint64_t edge = crossings_[sector / 4].edge;
+    const GridIndex n = UniformGrid::indexOf(edge >> 2);
+    const GridIndex o = sectorOffset(static_cast<int>(edge & 3), static_cast<int>(sector % 4));
+    return {n[0] + o[0], n[1] + o[1], n[2] + o[2]};
+  }
+
   // Two arcs in one face that join the same two vertices would be one edge: each gets a vertex.
   void divideDoubledEdges() {
-    onArcEnd_.assign(4 * crossingCount_ + passages_.size(), kNone);
     struct Dual {
       VertexId a, b;
       std::uint32_t arc;
     };
-    std::vector<Dual> duals(arcs_.size());
-    for (std::uint32_t i = 0; i < arcs_.size(); ++i)
-      duals[i] = {vertexOf_[beside(arcs_[i].first, false)], vertexOf_[beside(arcs_[i].first, true)], i};
-    parallelSort(
-        duals,
-        [](const Dual& x, const Dual& y) {
-          return x.a != y.a ? x.a < y.a : x.b != y.b ? x.b < y.b : x.arc < y.arc;
-        },
-        threads_);
+    std::vector<Dual> duals;
+    for (const std::uint32_t i : matching_.together) {
+      const std::uint32_t end = matching_.arcs[i].first;
+      duals.push_back({vertexOf_[beside(end, false)], vertexOf_[beside(end, true)], i});
+    }
+    std::sort(duals.begin(), duals.end(), [](const Dual& x, const Dual& y) {
+      return x.a != y.a ? x.a < y.a : x.b != y.b ? x.b < y.b : x.arc < y.arc;
+    });
     const auto same = [&](std::size_t i, std::size_t j) {
       return j < duals.size() && duals[i].a == duals[j].a && duals[i].b == duals[j].b;
     };
     for (std::size_t i = 0; i < duals.size(); ++i) {
       if (!same(i, i + 1) && (i == 0 || !same(i, i - 1))) continue;
-      const Arc& arc = arcs_[duals[i].arc];
+      const Arc& arc = matching_.arcs[duals[i].arc];
+      if (onArcEnd_.empty()) onArcEnd_.assign(4 * crossingCount_ + passages_.size(), kNone);
       onArcEnd_[arc.first] = onArcEnd_[arc.second] = static_cast<VertexId>(out_.cell.size());
       edgePlaces_.push_back((placeOf(arc.first) + placeOf(arc.second)) / 2);
       out_.cell.push_back(out_.cell[duals[i].a]);
@@ -135,24 +156,36 @@ class Builder {
     out_.vertexCount = out_.cell.size();
   }
 
+  // The vertex of a doubled dual edge; most surfaces have none.
+  [[nodiscard]] VertexId onArcEnd(std::uint32_t end) const {
+    return onArcEnd_.empty() ? kNone : onArcEnd_[end];
+  }
+
   [[nodiscard]] const Vec3& placeOf(std::uint32_t end) const {
     return end < 4 * crossingCount_ ? crossings_[end / 4].at : passages_[end - 4 * crossingCount_].at;
   }
 
   void makeFaces() {
-    out_.faces.resize(crossingCount_);
-    out_.shared.assign(crossingCount_, 0);
-    for (std::uint32_t c = 0; c < crossingCount_; ++c) {
-      std::vector<VertexId>& face = out_.faces[c];
-      for (std::uint32_t k = 0; k < 4; ++k) {
-        face.push_back(vertexOf_[sector(c, k)]);
-        if (onArcEnd_[sector(c, k)] != kNone) face.push_back(onArcEnd_[sector(c, k)]);
-      }
-      if (crossings_[c].jump > 0) std::reverse(face.begin(), face.end());
+    out_.shared.resize(crossingCount_);
+    std::vector<std::uint8_t> corners(crossingCount_, 4);
+    parallelFor(crossingCount_, threads_, RunContext(), kPart, [&](std::size_t i) {
+      const auto c = static_cast<std::uint32_t>(i);
+      for (std::uint32_t k = 0; k < 4; ++k) corners[c] += onArcEnd(sector(c, k)) != kNone;
       const bool before = c > 0 && crossings_[c - 1].edge == crossings_[c].edge;
       const bool after = c + 1 < crossingCount_ && crossings_[c + 1].edge == crossings_[c].edge;
       out_.shared[c] = before || after;
-    }
+    });
+    out_.faces.resize(corners);
+    parallelFor(crossingCount_, threads_, RunContext(), kPart, [&](std::size_t i) {
+      const auto c = static_cast<std::uint32_t>(i);
+      const std::span<VertexId> face = out_.faces[c];
+      auto corner = face.begin();
+      for (std::uint32_t k = 0; k < 4; ++k) {
+        *corner++ = vertexOf_[sector(c, k)];
+        if (const VertexId v = onArcEnd(sector(c, k)); v != kNone) *corner++ = v;
+      }
+      if (crossings_[c].jump > 0) std::reverse(face.begin(), face.end());
+    });
   }
 
   void makeStops() {
@@ -164,49 +197,60 @@ class Builder {
         continue;
       }
       for (std::size_t i = 0; i < way.size(); ++i, ++p)
-        stops.push_back({vertexOf_[sideOf(p, false)], onArcEnd_[4 * crossingCount_ + p]});
+        stops.push_back({vertexOf_[sideOf(p, false)], onArcEnd(4 * crossingCount_ + p)});
     }
   }
 
   void listCrossings() {
-    out_.crossingOffset.assign(out_.vertexCount + 1, 0);
-    for (std::uint32_t e = 0; e < 4 * crossingCount_; ++e) ++out_.crossingOffset[vertexOf_[e] + 1];
-    std::partial_sum(out_.crossingOffset.begin(), out_.crossingOffset.end(), out_.crossingOffset.begin());
-    out_.crossingsOf.resize(4 * crossingCount_);
-    std::vector<std::uint32_t> next(out_.crossingOffset.begin(), out_.crossingOffset.end() - 1);
-    for (std::uint32_t e = 0; e < 4 * crossingCount_; ++e) out_.crossingsOf[next[vertexOf_[e]]++] = e / 4;
+    auto around = intoBuckets<std::uint32_t>(crossingCount_, out_.vertexCount, threads_,
+                                             [&](std::size_t i, const auto& put) {
+                                               const auto c = static_cast<std::uint32_t>(i);
+                                               for (std::uint32_t k = 0; k < 4; ++k)
+                                                 put(vertexOf_[sector(c, k)], c);
+                                             });
+    out_.crossingOffset = std::move(around.offset);
+    out_.crossingsOf = std::move(around.values);
   }
 
   // The mean of a component's crossings; of the rim's own places where it has none.
   void placeStart() {
-    out_.start.assign(out_.vertexCount, Vec3::Zero());
-    std::vector<Vec3> rimSum(out_.vertexCount, Vec3::Zero());
-    std::vector<double> rimCount(out_.vertexCount, 0);
-    const auto addRim = [&](VertexId v, const Vec3& p) {
-      rimSum[v] += p;
-      ++rimCount[v];
+    out_.start.resize(out_.vertexCount);
+    parallelFor(out_.vertexCount, threads_, RunContext(), kPart, [&](std::size_t v) {
+      const std::uint32_t begin = out_.crossingOffset[v], end = out_.crossingOffset[v + 1];
+      Vec3 sum = Vec3::Zero();
+      for (std::uint32_t i = begin; i < end; ++i) sum += crossings_[out_.crossingsOf[i]].at;
+      if (end > begin) sum /= end - begin;
+      out_.start[v] = sum;
+    });
+    for (const auto& [v, rim] : rimMeans())
+      if (out_.crossingOffset[v] == out_.crossingOffset[v + 1]) out_.start[v] = rim.sum / rim.count;
+    std::copy(edgePlaces_.begin(), edgePlaces_.end(), out_.start.end() - std::ssize(edgePlaces_));
+  }
+
+  struct Mean {
+    Vec3 sum = Vec3::Zero();
+    double count = 0;
+  };
+  // Of the rim's places in the cell of each vertex that it passes.
+  [[nodiscard]] std::unordered_map<VertexId, Mean> rimMeans() const {
+    std::unordered_map<VertexId, Mean> means;
+    const auto add = [&](VertexId v, const Vec3& p) {
+      Mean& mean = means[v];
+      mean.sum += p;
+      ++mean.count;
     };
     for (std::size_t l = 0; l < ways_.size(); ++l)
       for (std::size_t i = 0; i < ways_[l].size(); ++i) {
         const VertexId here = out_.stops[l][i].vertex;
-        for (const VertexId v : ways_[l][i].vertices) addRim(here, positions_[v]);
+        for (const VertexId v : ways_[l][i].vertices) add(here, positions_[v]);
         if (ways_[l].size() == 1) continue;
-        addRim(here, ways_[l][i].exit.at);
-        addRim(out_.stops[l][(i + 1) % ways_[l].size()].vertex, ways_[l][i].exit.at);
+        add(here, ways_[l][i].exit.at);
+        add(out_.stops[l][(i + 1) % ways_[l].size()].vertex, ways_[l][i].exit.at);
       }
-    for (VertexId v = 0; v < out_.vertexCount; ++v) {
-      const std::uint32_t begin = out_.crossingOffset[v], end = out_.crossingOffset[v + 1];
-      if (out_.onEdge[v]) {
-        out_.start[v] = edgePlaces_[v - (out_.vertexCount - edgePlaces_.size())];
-        continue;
-      }
-      for (std::uint32_t i = begin; i < end; ++i) out_.start[v] += crossings_[out_.crossingsOf[i]].at;
-      if (end > begin)
-        out_.start[v] /= end - begin;
-      else if (rimCount[v] > 0)
-        out_.start[v] = rimSum[v] / rimCount[v];
-    }
+    return means;
   }
+
+  static constexpr std::size_t kPart = 1 << 13;  // of a range that is shared out among threads
 
   int threads_;
   const std::vector<Crossing>& crossings_;
@@ -216,10 +260,10 @@ class Builder {
   std::uint32_t crossingCount_;
   std::uint32_t lone_ = 0;
   std::vector<RimPassage> passages_;
-  std::vector<Arc> arcs_;
+  Matching matching_;
   UnionFind union_{0};
   std::vector<VertexId> vertexOf_;
-  std::vector<VertexId> onArcEnd_;
+  std::vector<VertexId> onArcEnd_;  ///< empty: no dual edge is doubled
   std::vector<Vec3> edgePlaces_;
   DualSurface out_;
 };

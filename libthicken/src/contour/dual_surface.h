@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "contour/crossings.h"
+#include "contour/face_list.h"
 #include "contour/rim_walk.h"
 
 namespace thicken {
@@ -19,7 +20,7 @@ struct DualSurface {
   std::vector<GridIndex> cell;       ///< that a vertex belongs to (one of two for doubled edges)
   std::vector<std::uint8_t> onEdge;  ///< 1: vertex of a doubled dual edge
   /// Corners of the face of each crossing, counter-clockwise seen from outside; 4 to 8 of them.
-  std::vector<std::vector<VertexId>> faces;
+  FaceList faces;
   std::vector<std::uint8_t> shared;  ///< per crossing: its grid edge has others as well
   /// Whether the face of a crossing is two triangles; others are fans around a vertex in their middle.
   [[nodiscard]] bool isQuad(std::uint32_t crossing) const {

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <span>
 
+#include "mesh/buckets.h"
 #include "mesh/parallel_sort.h"
 #include "thicken/error.h"
 
@@ -67,15 +68,15 @@ double lengthOf(const Places& places, std::span<const Item> in, std::span<const 
   return sum;
 }
 
-// The shortest pairing, so that arcs do not cross; for many items, shortest pairs first.
-void matchOne(const Places& places, std::span<Item> items, std::vector<Arc>& arcs) {
+// The shortest pairing, so that arcs do not cross; for many items, shortest pairs first. One arc for every
+// two items, to `arcs`.
+void matchOne(const Places& places, std::span<const Item> items, Arc* arcs) {
   if (items.size() == 2) {
-    arcs.emplace_back(items[0].end, items[1].end);
+    *arcs = {items[0].end, items[1].end};
     return;
   }
-  const auto middle =
-      std::stable_partition(items.begin(), items.end(), [](const Item& i) { return i.value > 0; });
-  const std::span<Item> in(items.begin(), middle), out(middle, items.end());
+  std::vector<Item> in, out;
+  for (const Item& i : items) (i.value > 0 ? in : out).push_back(i);
   std::vector<int> order(in.size());
   std::iota(order.begin(), order.end(), 0);
   constexpr std::size_t kMostPermuted = 6;
@@ -105,7 +106,56 @@ void matchOne(const Places& places, std::span<Item> items, std::vector<Arc>& arc
     }
   }
   for (std::size_t i = 0; i < in.size(); ++i)
-    arcs.emplace_back(in[i].end, out[static_cast<std::size_t>(order[i])].end);
+    arcs[i] = {in[i].end, out[static_cast<std::size_t>(order[i])].end};
+}
+
+bool before(const Item& a, const Item& b) {
+  return a.face != b.face ? a.face < b.face : a.end < b.end;
+}
+
+// All items, in the order of their faces. Crossings are in the order of their edges, so that their items are
+// already where only edges of one axis and sides of one kind are looked at.
+std::vector<Item> itemsInOrder(const std::vector<Crossing>& crossings,
+                               const std::vector<RimPassage>& passages, int threads) {
+  const auto ofAxis = intoBuckets<std::uint32_t>(crossings.size(), 3, threads, [&](std::size_t c, auto& put) {
+    put(crossings[c].edge & 3, static_cast<std::uint32_t>(c));
+  });
+  const auto first = static_cast<std::uint32_t>(4 * crossings.size());
+  std::vector<Item> items(first + passages.size());
+  std::vector<std::size_t> runs{0};
+  for (int axis = 0; axis < 3; ++axis)
+    for (int k = 0; k < 4; ++k) runs.push_back(runs.back() + ofAxis.offset[axis + 1] - ofAxis.offset[axis]);
+  parallelFor(crossings.size(), threads, RunContext(), 4096, [&](std::size_t i) {
+    const std::uint32_t c = ofAxis.values[i];
+    const auto axis = static_cast<std::uint32_t>(crossings[c].edge & 3);
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      const SideFace side = sideFace(crossings[c].edge, static_cast<int>(k));
+      items[runs[4 * axis + k] + i - ofAxis.offset[axis]] = {side.key, 4 * c + k,
+                                                             crossings[c].jump * side.sense};
+    }
+  });
+  for (std::uint32_t p = 0; p < passages.size(); ++p)
+    items[first + p] = {passages[p].face, first + p, -passages[p].sign};
+  std::sort(items.begin() + first, items.end(), before);
+  runs.push_back(items.size());
+  mergeRuns(items, std::move(runs), before, threads);
+  return items;
+}
+
+// The arcs of the faces that begin in one part of the items.
+void matchPart(const Places& places, std::span<const Item> items, std::size_t begin, std::size_t end,
+               Matching& matching, std::vector<std::uint32_t>& together) {
+  std::size_t i = begin;
+  while (i > 0 && i < items.size() && items[i].face == items[i - 1].face) ++i;
+  for (std::size_t j = i; i < end; i = j) {
+    int sum = 0;
+    for (; j < items.size() && items[j].face == items[i].face; ++j) sum += items[j].value;
+    if (sum != 0)
+      throw Error(ErrorCode::kInternal, "the contour's crossings do not cancel around a face of the grid");
+    matchOne(places, items.subspan(i, j - i), &matching.arcs[i / 2]);
+    if (j - i > 2)
+      for (std::size_t arc = i / 2; arc < j / 2; ++arc) together.push_back(static_cast<std::uint32_t>(arc));
+  }
 }
 
 }  // namespace
@@ -117,32 +167,21 @@ GridIndex sectorOffset(int axis, int k) {
   return offset;
 }
 
-std::vector<Arc> matchFaces(const std::vector<Crossing>& crossings, const std::vector<RimPassage>& passages,
-                            int threads) {
+Matching matchFaces(const std::vector<Crossing>& crossings, const std::vector<RimPassage>& passages,
+                    int threads) {
+  const std::vector<Item> items = itemsInOrder(crossings, passages, threads);
   const Places places(crossings, passages);
-  std::vector<Item> items;
-  items.reserve(4 * crossings.size() + passages.size());
-  for (std::uint32_t c = 0; c < crossings.size(); ++c)
-    for (int k = 0; k < 4; ++k) {
-      const SideFace side = sideFace(crossings[c].edge, k);
-      items.push_back({side.key, 4 * c + static_cast<std::uint32_t>(k), crossings[c].jump * side.sense});
-    }
-  const auto first = static_cast<std::uint32_t>(4 * crossings.size());
-  for (std::uint32_t p = 0; p < passages.size(); ++p)
-    items.push_back({passages[p].face, first + p, -passages[p].sign});
-  parallelSort(
-      items, [](const Item& a, const Item& b) { return a.face != b.face ? a.face < b.face : a.end < b.end; },
-      threads);
-  std::vector<Arc> arcs;
-  arcs.reserve(items.size() / 2);
-  for (std::size_t i = 0, j = 0; i < items.size(); i = j) {
-    int sum = 0;
-    for (; j < items.size() && items[j].face == items[i].face; ++j) sum += items[j].value;
-    if (sum != 0)
-      throw Error(ErrorCode::kInternal, "the contour's crossings do not cancel around a face of the grid");
-    matchOne(places, std::span(items).subspan(i, j - i), arcs);
-  }
-  return arcs;
+  Matching matching;
+  matching.arcs.resize(items.size() / 2);
+  constexpr std::size_t kPart = 1 << 14;
+  std::vector<std::vector<std::uint32_t>> together((items.size() + kPart - 1) / kPart);
+  parallelFor(together.size(), threads, RunContext(), 1, [&](std::size_t part) {
+    matchPart(places, items, part * kPart, std::min(items.size(), (part + 1) * kPart), matching,
+              together[part]);
+  });
+  for (const auto& part : together)
+    matching.together.insert(matching.together.end(), part.begin(), part.end());
+  return matching;
 }
 
 }  // namespace thicken

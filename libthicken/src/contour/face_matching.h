@@ -20,8 +20,13 @@ using Arc = std::pair<std::uint32_t, std::uint32_t>;
 /// Sector k of an edge along `axis` is the cell at this offset from the edge's node.
 [[nodiscard]] GridIndex sectorOffset(int axis, int k);
 
-/// `passages` in the order of the ways' visits. Arcs in the order of the faces' keys.
-[[nodiscard]] std::vector<Arc> matchFaces(const std::vector<Crossing>& crossings,
-                                          const std::vector<RimPassage>& passages, int threads);
+struct Matching {
+  std::vector<Arc> arcs;                ///< in the order of the faces' keys
+  std::vector<std::uint32_t> together;  ///< numbers of those that share their face with others, ascending
+};
+
+/// `crossings` in order, `passages` in the order of the ways' visits.
+[[nodiscard]] Matching matchFaces(const std::vector<Crossing>& crossings,
+                                  const std::vector<RimPassage>& passages, int threads);
 
 }  // namespace thicken

@@ -2,6 +2,7 @@
 #include "contour/follow.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "contour/face_matching.h"
 #include "mesh/parallel_sort.h"
@@ -11,7 +12,9 @@ namespace thicken {
 
 namespace {
 
-// Cells are visited in waves, so that each wave's nodes are evaluated on all threads.
+// Cells are visited in batches, each of which goes through three steps: its nodes and edges are listed, its
+// nodes are evaluated, its edges are examined. Three batches are under way at any time, one in each step.
+// Listing is for one thread, in a fixed order; the others evaluate and examine meanwhile.
 class Follower {
  public:
   Follower(const UniformGrid& grid, const CarrierCrossings& carrier, const Membership& membership,
@@ -28,8 +31,7 @@ class Follower {
     std::vector<GridIndex> further;
     for (const Vec3& p : placed(seeds)) further.push_back(cellOf(p));
     followFrom(further);
-    parallelSort(found_, inOrder, threads_);
-    return std::move(found_);
+    return sorted();
   }
 
  private:
@@ -58,7 +60,7 @@ class Follower {
 
   [[nodiscard]] bool isCrossed(const GridIndex& cell) const {
     const std::uint32_t i = cells_.find(UniformGrid::key(cell));
-    return i != KeyIndex::kAbsent && crossed_[i] != 0;
+    return i != BlockIndex::kAbsent && crossed_[i] != 0;
   }
 
   std::uint32_t addCell(std::uint64_t key) {
@@ -67,19 +69,44 @@ class Follower {
     return i;
   }
 
+  struct Edge {
+    std::uint64_t key;
+    std::uint32_t low, high;  ///< nodes
+  };
+  struct Batch {
+    std::size_t cells = 0;
+    std::vector<NodeField::Wanted> nodes;
+    std::vector<Edge> edges;
+    std::vector<std::vector<Crossing>> found;  ///< on the edges, kEdges of them at a time
+  };
+  static constexpr std::size_t kNodes = 16, kEdges = 256;  // that a thread takes at a time
+
   void follow() {
-    while (done_ < cells_.size()) {
-      const std::size_t end = cells_.size(), firstEdge = edges_.size();
-      field_.countCells(end - done_);
-      for (; done_ < end; ++done_) {
-        if (done_ + kAhead < end)
-          for (int c = 0; c < 8; ++c)
-            field_.prefetch(nodeOf(UniformGrid::indexOf(cells_.keys()[done_ + kAhead]), c));
-        enter(UniformGrid::indexOf(cells_.keys()[done_]));
-      }
-      field_.evaluate(membership_, context_, threads_);
-      examine(firstEdge);
+    Batch toEvaluate, toExamine, examined;
+    while (done_ < cells_.size() || toEvaluate.cells + toExamine.cells + examined.cells > 0) {
+      const std::size_t nodeParts = (toEvaluate.nodes.size() + kNodes - 1) / kNodes;
+      toExamine.found.resize((toExamine.edges.size() + kEdges - 1) / kEdges);
+      std::size_t mayWait = cells_.size() - done_;
+      for (const auto& part : examined.found) mayWait += 4 * part.size();
+      field_.makeRoom(8 * share(mayWait, toEvaluate.cells + toExamine.cells));
+      Batch listed;
+      parallelFor(1 + nodeParts + toExamine.found.size(), threads_, context_, 1, [&](std::size_t i) {
+        if (i == 0) {
+          markCells(examined);
+          listed = list(share(cells_.size() - done_, toEvaluate.cells + toExamine.cells));
+        } else if (i <= nodeParts) {
+          evaluate(toEvaluate, i - 1);
+        } else {
+          examine(toExamine, i - 1 - nodeParts);
+        }
+      });
+      examined = std::exchange(toExamine, std::exchange(toEvaluate, std::move(listed)));
     }
+  }
+
+  // How many cells of those that wait are taken, so that the three batches are of one size.
+  [[nodiscard]] static std::size_t share(std::size_t waiting, std::size_t underWay) {
+    return std::min(waiting, (waiting + underWay + 2) / 3);
   }
 
   void enterNeighbours(const GridIndex& cell) {
@@ -87,8 +114,18 @@ class Follower {
       addCell(UniformGrid::key({cell[0] + c % 3 - 1, cell[1] + c / 3 % 3 - 1, cell[2] + c / 9 - 1}));
   }
 
+  Batch list(std::size_t cells) {
+    Batch batch;
+    batch.cells = cells;
+    field_.countCells(cells);
+    for (const std::size_t end = done_ + cells; done_ < end; ++done_)
+      enter(UniformGrid::indexOf(cells_.keys()[done_]), batch.edges);
+    batch.nodes = field_.takeWanted();
+    return batch;
+  }
+
   // Lists the cell's nodes and edges that no cell before it had.
-  void enter(const GridIndex& cell) {
+  void enter(const GridIndex& cell, std::vector<Edge>& edges) {
     std::array<std::uint32_t, 8> corner{};
     for (int c = 0; c < 8; ++c) corner[c] = field_.want(nodeOf(cell, c));
     listed_.resize(field_.size(), 0);
@@ -97,33 +134,60 @@ class Follower {
         std::uint8_t& listed = listed_[corner[c]];
         if ((c >> axis & 1) || (listed >> axis & 1)) continue;
         listed |= static_cast<std::uint8_t>(1 << axis);
-        edges_.push_back({corner[c], corner[c | (1 << axis)], axis});
+        edges.push_back(
+            {(nodeOf(cell, c) << 2) | static_cast<std::uint64_t>(axis), corner[c], corner[c | (1 << axis)]});
       }
   }
 
-  void examine(std::size_t firstEdge) {
-    constexpr std::size_t kGrain = 1024;
+  void evaluate(const Batch& batch, std::size_t part) {
+    const std::size_t end = std::min(batch.nodes.size(), (part + 1) * kNodes);
+    for (std::size_t i = part * kNodes; i < end; ++i) field_.evaluate(batch.nodes[i], membership_);
+  }
+
+  void examine(Batch& batch, std::size_t part) const {
     constexpr double kSure = 1.001;
-    const std::size_t count = edges_.size() - firstEdge;
-    std::vector<std::vector<Crossing>> parts((count + kGrain - 1) / kGrain);
-    parallelFor(count, threads_, context_, kGrain, [&](std::size_t i) {
-      const Edge& e = edges_[firstEdge + i];
-      const std::uint64_t key = UniformGrid::key(UniformGrid::indexOf(field_.key(e.low)), e.axis);
+    const std::size_t end = std::min(batch.edges.size(), (part + 1) * kEdges);
+    for (std::size_t i = part * kEdges; i < end; ++i) {
+      const Edge& e = batch.edges[i];
       // An edge is as long as a cell is wide, so that nothing crosses it which is farther from its end.
       const bool reached = field_[e.low].carrierDistance <= kSure * grid_.width();
-      crossEdge(grid_, field_, key, e.low, e.high,
-                reached ? carrier_.of(key) : std::vector<SurfaceCrossing>(), parts[i / kGrain]);
-    });
-    for (const auto& part : parts)
-      for (std::size_t i = 0; i < part.size(); ++i) {
-        if (i + kAhead < part.size())
-          for (int k = 0; k < 4; ++k) cells_.prefetch(cellAround(part[i + kAhead].edge, k));
-        found_.push_back(part[i]);
-        for (int k = 0; k < 4; ++k) crossed_[addCell(cellAround(part[i].edge, k))] = 1;
-      }
+      crossEdge(grid_, field_, e.key, e.low, e.high,
+                reached ? carrier_.of(e.key) : std::vector<SurfaceCrossing>(), batch.found[part]);
+    }
   }
 
-  static constexpr std::size_t kAhead = 8;  // cells or crossings whose look-ups are prepared
+  // The cells around what was found are crossed; those that are new are to be visited.
+  void markCells(Batch& examined) {
+    for (auto& part : examined.found) {
+      for (const Crossing& c : part)
+        for (int k = 0; k < 4; ++k) crossed_[addCell(cellAround(c.edge, k))] = 1;
+      if (!part.empty()) found_.push_back(std::move(part));
+    }
+    examined = {};
+  }
+
+  // All that was found, in order. What is sorted is a fraction of what a crossing holds.
+  [[nodiscard]] std::vector<Crossing> sorted() const {
+    struct Place {
+      std::uint64_t edge;
+      double from;
+      const Crossing* crossing;
+    };
+    std::vector<std::size_t> first{0};
+    for (const auto& part : found_) first.push_back(first.back() + part.size());
+    std::vector<Place> places(first.back());
+    parallelFor(found_.size(), threads_, context_, 64, [&](std::size_t i) {
+      for (std::size_t k = 0; k < found_[i].size(); ++k)
+        places[first[i] + k] = {found_[i][k].edge, found_[i][k].from, &found_[i][k]};
+    });
+    parallelSort(
+        places,
+        [](const Place& a, const Place& b) { return a.edge != b.edge ? a.edge < b.edge : a.from < b.from; },
+        threads_);
+    std::vector<Crossing> all(places.size());
+    parallelFor(all.size(), threads_, context_, 4096, [&](std::size_t i) { all[i] = *places[i].crossing; });
+    return all;
+  }
 
   // Corner c of a cell.
   [[nodiscard]] static std::uint64_t nodeOf(const GridIndex& cell, int c) {
@@ -136,23 +200,17 @@ class Follower {
     return UniformGrid::key({n[0] + o[0], n[1] + o[1], n[2] + o[2]});
   }
 
-  struct Edge {
-    std::uint32_t low, high;  ///< nodes
-    int axis;
-  };
-
   const UniformGrid& grid_;
   const CarrierCrossings& carrier_;
   const Membership& membership_;
   NodeField& field_;
   const RunContext& context_;
   int threads_;
-  KeyIndex cells_;
+  BlockIndex cells_;
   std::vector<std::uint8_t> crossed_;  ///< per cell
   std::size_t done_ = 0;               ///< cells
   std::vector<std::uint8_t> listed_;   ///< per node, a bit for each axis: its edge is in edges_
-  std::vector<Edge> edges_;
-  std::vector<Crossing> found_;
+  std::vector<std::vector<Crossing>> found_;
 };
 
 }  // namespace

@@ -106,6 +106,7 @@ struct BoxTree::Impl {
   std::vector<Leaf> leaves;
   std::vector<std::uint32_t> slot;  // of a triangle: kLeafSize · leaf + place, or kNobody
   int threads = 0;
+  static constexpr int kParallelLevels = 6;  // of the tree, below which subtrees are shared out
 
   [[nodiscard]] Subtree root() const { return {0, 0, static_cast<std::uint32_t>(leaves.size())}; }
 
@@ -115,7 +116,35 @@ struct BoxTree::Impl {
       for (std::uint32_t i = 0; i < kLeafSize; ++i)
         leaf.set(i, leaf.id[i] == kNobody ? FloatBox::empty() : g.box(leaf.id[i]));
     });
-    if (!leaves.empty()) fitBelow(root());
+    if (!leaves.empty()) fitBelow(root(), kParallelLevels);
+  }
+  // The upper subtrees on all threads.
+  void fitBelow(const Subtree& tree, int levels) {
+    if (tree.isLeaf() || levels == 0) {
+      fitBelow(tree);
+      return;
+    }
+    std::vector<Subtree> subtrees{tree};
+    for (int level = 0; level < levels; ++level) {
+      std::vector<Subtree> next;
+      for (const Subtree& t : subtrees) {
+        if (t.isLeaf()) {
+          next.push_back(t);
+          continue;
+        }
+        next.push_back(t.left());
+        next.push_back(t.right());
+      }
+      subtrees = std::move(next);
+    }
+    parallelFor(subtrees.size(), threads, RunContext(), 1, [&](std::size_t i) { fitBelow(subtrees[i]); });
+    mergeBelow(tree, levels);
+  }
+  void mergeBelow(const Subtree& tree, int levels) {
+    if (tree.isLeaf() || levels == 0) return;
+    mergeBelow(tree.left(), levels - 1);
+    mergeBelow(tree.right(), levels - 1);
+    merge(tree);
   }
   void fitBelow(const Subtree& tree) {
     if (tree.isLeaf()) {
@@ -315,11 +344,13 @@ BoxTree::BoxTree(std::span<const Vec3> positions, std::span<const Triangle> tria
   impl_->leaves.resize((ids.size() + kLeafSize - 1) / kLeafSize);
   impl_->box.resize(impl_->leaves.empty() ? 0 : 2 * impl_->leaves.size() - 1);
   impl_->slot.assign(triangles.size(), kNobody);
-  for (Leaf& leaf : impl_->leaves) std::fill_n(leaf.id, kLeafSize, kNobody);
-  for (std::uint32_t i = 0; i < ids.size(); ++i) {
-    impl_->leaves[i / kLeafSize].id[i % kLeafSize] = ids[i];
-    impl_->slot[ids[i]] = i;
-  }
+  parallelFor(impl_->leaves.size(), threads, RunContext(), 2048, [&](std::size_t l) {
+    for (std::uint32_t k = 0; k < kLeafSize; ++k) {
+      const std::size_t i = kLeafSize * l + k;
+      impl_->leaves[l].id[k] = i < ids.size() ? ids[i] : kNobody;
+      if (i < ids.size()) impl_->slot[ids[i]] = static_cast<std::uint32_t>(i);
+    }
+  });
   impl_->fit({positions, triangles});
 }
 

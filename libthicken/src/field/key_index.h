@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Numbers 64-bit keys in the order in which they arrive: the one table that sparse sets of nodes, edges
-// and cells are kept in. Open addressing; 4 bytes a slot beside the keys themselves.
+// Numbers 64-bit keys in the order in which they arrive. Open addressing; 4 bytes a slot beside the keys
+// themselves.
 #pragma once
 
 #include <cstdint>
@@ -27,12 +27,6 @@ class KeyIndex {
   /// The number of `key`, or kAbsent.
   [[nodiscard]] std::uint32_t find(std::uint64_t key) const {
     return slots_.empty() ? kAbsent : slots_[slotOf(key)];
-  }
-
-  /// Brings the slot where the search for `key` starts into the cache: look-ups of many keys wait for memory
-  /// most of their time.
-  void prefetch(std::uint64_t key) const {
-    if (!slots_.empty()) __builtin_prefetch(&slots_[firstSlot(key)]);
   }
 
   [[nodiscard]] const std::vector<std::uint64_t>& keys() const { return keys_; }

@@ -7,25 +7,29 @@
 
 namespace thicken {
 
+void NodeField::evaluate(const Wanted& node, const Membership& membership) {
+  Sample& s = samples_[node.number];
+  const Probe p = membership.probe(grid_.node(UniformGrid::indexOf(node.key)));
+  s.distance = p.distance;
+  s.carrierDistance = static_cast<float>(p.carrierDistance) * (1 + std::numeric_limits<float>::epsilon());
+  s.closest = p.triangle;
+  s.standing = p.standing;
+  s.state = State::kKnown;
+}
+
 void NodeField::evaluate(const Membership& membership, const RunContext& context, int threads) {
-  parallelFor(wanted_.size(), threads, context, 64, [&](std::size_t i) {
-    Sample& s = samples_[wanted_[i]];
-    const Probe p = membership.probe(grid_.node(UniformGrid::indexOf(index_.keys()[wanted_[i]])));
-    s.distance = p.distance;
-    s.carrierDistance = static_cast<float>(p.carrierDistance) * (1 + std::numeric_limits<float>::epsilon());
-    s.closest = p.triangle;
-    s.standing = p.standing;
-    s.state = State::kKnown;
-  });
-  wanted_.clear();
+  const std::vector<Wanted> nodes = takeWanted();
+  parallelFor(nodes.size(), threads, context, 64, [&](std::size_t i) { evaluate(nodes[i], membership); });
 }
 
 void NodeField::forget(const ClosestPointTree& changed, const RunContext& context, int threads) {
   parallelFor(samples_.size(), threads, context, 256, [&](std::size_t i) {
     Sample& s = samples_[i];
-    if (s.state == State::kKnown &&
-        changed.closest(grid_.node(UniformGrid::indexOf(index_.keys()[i])), s.carrierDistance))
-      s.state = State::kUnknown;
+    if (s.state == State::kUnknown ||
+        !changed.closest(grid_.node(UniformGrid::indexOf(index_.keys()[i])), s.carrierDistance))
+      return;
+    s.state = State::kUnknown;
+    asked_[i] = 0;
   });
 }
 

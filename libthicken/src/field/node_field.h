@@ -5,10 +5,12 @@
 // the volume of the paper's candidate region (Definition 4).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
-#include "field/key_index.h"
+#include "field/block_index.h"
 #include "field/membership.h"
 #include "field/uniform_grid.h"
 #include "thicken/run_context.h"
@@ -17,7 +19,7 @@ namespace thicken {
 
 class NodeField {
  public:
-  enum class State : std::uint8_t { kUnknown, kWanted, kKnown };
+  enum class State : std::uint8_t { kUnknown, kKnown };
   struct Sample {
     double distance = 0;        ///< to S, mm
     float carrierDistance = 0;  ///< to Ŝ, mm, rounded up
@@ -29,17 +31,36 @@ class NodeField {
 
   explicit NodeField(const UniformGrid& grid) : grid_(grid) {}
 
-  /// The number of a node (UniformGrid::key); its sample is there after the next evaluate().
+  /// A node that no sample is known of yet.
+  struct Wanted {
+    std::uint32_t number;
+    std::uint64_t key;
+  };
+
+  /// The number of a node (UniformGrid::key); its sample is there when it has been evaluated.
   std::uint32_t want(std::uint64_t node) {
     const auto [i, isNew] = index_.insert(node);
-    if (isNew) samples_.emplace_back();
-    if (samples_[i].state == State::kUnknown) {
-      samples_[i].state = State::kWanted;
-      wanted_.push_back(i);
+    if (isNew) {
+      samples_.emplace_back();
+      asked_.push_back(0);
+    }
+    if (asked_[i] == 0) {
+      asked_[i] = 1;
+      wanted_.push_back({i, node});
     }
     return i;
   }
-  void prefetch(std::uint64_t node) const { index_.prefetch(node); }
+  /// The nodes that are wanted since the last call, for the caller to evaluate.
+  [[nodiscard]] std::vector<Wanted> takeWanted() { return std::exchange(wanted_, {}); }
+  /// Makes room, so that samples stay where they are while so many more nodes are wanted: others may be
+  /// evaluated and read on other threads at the same time.
+  void makeRoom(std::size_t more) {
+    if (samples_.capacity() < samples_.size() + more)
+      samples_.reserve(std::max(2 * samples_.capacity(), samples_.size() + more));
+  }
+  /// Evaluates one node. Any thread.
+  void evaluate(const Wanted& node, const Membership& membership);
+
   [[nodiscard]] const Sample& operator[](std::uint32_t i) const { return samples_[i]; }
   /// Calls visit(place, sample) for every node, in the order in which they were wanted.
   template <class Visit>
@@ -55,7 +76,7 @@ class NodeField {
   void countCells(std::size_t more) { cells_ += more; }
   [[nodiscard]] std::size_t cells() const { return cells_; }
 
-  /// Evaluates the nodes that are wanted.
+  /// Evaluates all nodes that are wanted.
   void evaluate(const Membership& membership, const RunContext& context, int threads);
 
   /// Forgets the samples that `changed` may have changed: triangles that Ŝ has won or lost.
@@ -63,9 +84,10 @@ class NodeField {
 
  private:
   UniformGrid grid_;
-  KeyIndex index_;
+  BlockIndex index_;
   std::vector<Sample> samples_;
-  std::vector<std::uint32_t> wanted_;
+  std::vector<std::uint8_t> asked_;  ///< per node: its sample is known, or wanted
+  std::vector<Wanted> wanted_;
   std::size_t cells_ = 0;
 };
 

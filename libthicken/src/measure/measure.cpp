@@ -148,9 +148,14 @@ void measure(Solid& solid, const TriangleMesh& surface, const ClosestPointTree& 
     ++(region == Region::kOriginal ? report.originalTriangles
        : region == Region::kShell  ? report.shellTriangles
                                    : report.wallTriangles);
-  report.components = componentsOf(solid.mesh.positions.size(), solid.mesh.triangles).count;
-  report.volume = volumeOf(solid.mesh);
-  report.area = areaOf(solid.mesh);
+  report.components = componentsOf(solid.mesh.positions.size(), solid.mesh.triangles, threads).count;
+  // Sums in the order of the triangles, so that they do not depend on the threads.
+  parallelFor(2, threads, context, 1, [&](std::size_t i) {
+    if (i == 0)
+      report.volume = volumeOf(solid.mesh);
+    else
+      report.area = areaOf(solid.mesh);
+  });
   const auto distance = shellDistances(solid, tree, context, threads);
   measureShell(solid, tree, distance, what, context, threads);
   findThinnest(solid, distance);

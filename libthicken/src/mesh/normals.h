@@ -12,13 +12,13 @@ namespace thicken {
 
 /// Unit normal of every triangle.
 [[nodiscard]] std::vector<Vec3> faceNormals(std::span<const Vec3> positions,
-                                            std::span<const Triangle> triangles);
+                                            std::span<const Triangle> triangles, int threads = 1);
 
 /// Unit angle-weighted normal of every vertex; zero where no triangle uses it or where the
 /// normals cancel.
 [[nodiscard]] std::vector<Vec3> vertexNormals(std::span<const Vec3> positions,
                                               std::span<const Triangle> triangles,
-                                              std::span<const Vec3> faceNormal);
+                                              std::span<const Vec3> faceNormal, int threads = 1);
 
 /// Angle of triangle `t` at corner `k`, radians.
 [[nodiscard]] double cornerAngle(std::span<const Vec3> positions, const Triangle& t, int k);

@@ -1,33 +1,84 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Sorting on several threads. The order must be total, so that the result is the same for any number of
-// them.
+// Sorting and merging on several threads. The order must be total, so that the result is the same for any
+// number of them.
 #pragma once
 
 #include <algorithm>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "parallel_for.h"
 
 namespace thicken {
 
-/// Sorts `items`; `before` must tell any two of them apart.
+/// How many of the first `count` items of the merged sequence come from `a`.
+template <class T, class Before>
+[[nodiscard]] std::size_t shareOfFirst(std::span<const T> a, std::span<const T> b, std::size_t count,
+                                       Before before) {
+  std::size_t low = count > b.size() ? count - b.size() : 0, high = std::min(count, a.size());
+  while (low < high) {
+    const std::size_t i = (low + high) / 2;
+    if (before(b[count - i - 1], a[i]))
+      high = i;
+    else
+      low = i + 1;
+  }
+  return low;
+}
+
+/// Merges two sorted sequences to `out`, as std::merge does.
+template <class T, class Before>
+void parallelMerge(std::span<const T> a, std::span<const T> b, T* out, Before before, int threads) {
+  constexpr std::size_t kPiece = 1 << 14;
+  const std::size_t count = a.size() + b.size(), pieces = threadCount(threads) > 1 ? count / kPiece + 1 : 1;
+  parallelFor(pieces, threads, RunContext(), 1, [&](std::size_t i) {
+    const std::size_t from = count * i / pieces, to = count * (i + 1) / pieces;
+    const std::size_t fromA = shareOfFirst(a, b, from, before), toA = shareOfFirst(a, b, to, before);
+    std::merge(a.begin() + static_cast<std::ptrdiff_t>(fromA), a.begin() + static_cast<std::ptrdiff_t>(toA),
+               b.begin() + static_cast<std::ptrdiff_t>(from - fromA),
+               b.begin() + static_cast<std::ptrdiff_t>(to - toA), out + from, before);
+  });
+}
+
+/// Merges sorted runs of `items`, run i from bounds[i] to bounds[i + 1], to one.
+template <class T, class Before>
+void mergeRuns(std::vector<T>& items, std::vector<std::size_t> bounds, Before before, int threads) {
+  if (bounds.size() <= 2) return;
+  const auto buffer = std::make_unique_for_overwrite<T[]>(items.size());
+  T *from = items.data(), *to = buffer.get();
+  while (bounds.size() > 2) {
+    std::vector<std::size_t> merged{0};
+    for (std::size_t i = 0; i + 1 < bounds.size(); i += 2) {
+      const std::size_t begin = bounds[i], middle = bounds[i + 1];
+      const std::size_t end = i + 2 < bounds.size() ? bounds[i + 2] : middle;
+      parallelMerge(std::span<const T>(from + begin, from + middle),
+                    std::span<const T>(from + middle, from + end), to + begin, before, threads);
+      merged.push_back(end);
+    }
+    bounds = std::move(merged);
+    std::swap(from, to);
+  }
+  if (from == items.data()) return;
+  constexpr std::size_t kGrain = 1 << 14;
+  parallelFor(items.size(), threads, RunContext(), kGrain, [&](std::size_t i) { items[i] = buffer[i]; });
+}
+
+/// Sorts `items`; `before` must tell any two of them apart that are not the same in all.
 template <class T, class Before>
 void parallelSort(std::vector<T>& items, Before before, int threads) {
   constexpr std::size_t kWorthwhile = 1 << 14;
   std::size_t parts = 1;
   while (parts < static_cast<std::size_t>(threadCount(threads)) && items.size() / parts > kWorthwhile)
     parts *= 2;
-  const auto at = [&](std::size_t part) {
-    return items.begin() + static_cast<std::ptrdiff_t>(items.size() * part / parts);
-  };
-  const RunContext uncancelled;
-  parallelFor(parts, threads, uncancelled, 1, [&](std::size_t i) { std::sort(at(i), at(i + 1), before); });
-  for (std::size_t step = 1; step < parts; step *= 2)
-    parallelFor(parts / (2 * step), threads, uncancelled, 1, [&](std::size_t i) {
-      const std::size_t first = 2 * step * i;
-      std::inplace_merge(at(first), at(first + step), at(first + 2 * step), before);
-    });
+  std::vector<std::size_t> bounds;
+  for (std::size_t i = 0; i <= parts; ++i) bounds.push_back(items.size() * i / parts);
+  parallelFor(parts, threads, RunContext(), 1, [&](std::size_t i) {
+    std::sort(items.begin() + static_cast<std::ptrdiff_t>(bounds[i]),
+              items.begin() + static_cast<std::ptrdiff_t>(bounds[i + 1]), before);
+  });
+  mergeRuns(items, std::move(bounds), before, threads);
 }
 
 }  // namespace thicken

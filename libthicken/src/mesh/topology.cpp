@@ -1,25 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "mesh/topology.h"
 
-#include <numeric>
-
+#include "mesh/buckets.h"
 #include "mesh/half_edges.h"
 #include "mesh/union_find.h"
 #include "parallel_for.h"
 
 namespace thicken {
 
-VertexTriangles vertexTriangles(std::size_t vertexCount, std::span<const Triangle> triangles) {
-  VertexTriangles result;
-  result.offset.assign(vertexCount + 1, 0);
-  for (const Triangle& t : triangles)
-    for (const VertexId v : t) ++result.offset[v + 1];
-  std::partial_sum(result.offset.begin(), result.offset.end(), result.offset.begin());
-  result.triangles.resize(3 * triangles.size());
-  std::vector<std::uint32_t> next(result.offset.begin(), result.offset.end() - 1);
-  for (TriangleId t = 0; t < triangles.size(); ++t)
-    for (const VertexId v : triangles[t]) result.triangles[next[v]++] = t;
-  return result;
+VertexTriangles vertexTriangles(std::size_t vertexCount, std::span<const Triangle> triangles, int threads) {
+  auto around =
+      intoBuckets<TriangleId>(triangles.size(), vertexCount, threads, [&](std::size_t t, const auto& put) {
+        for (const VertexId v : triangles[t]) put(v, static_cast<TriangleId>(t));
+      });
+  return {std::move(around.offset), std::move(around.values)};
 }
 
 std::vector<std::array<TriangleId, 3>> neighbours(std::size_t vertexCount,
@@ -35,12 +29,14 @@ std::vector<std::array<TriangleId, 3>> neighbours(std::size_t vertexCount,
   return result;
 }
 
-Rim rimOf(std::size_t vertexCount, std::span<const Triangle> triangles) {
-  const HalfEdges edges(vertexCount, triangles);
+Rim rimOf(std::size_t vertexCount, std::span<const Triangle> triangles, int threads) {
+  const HalfEdges edges(vertexCount, triangles, {}, threads);
   std::vector<std::uint32_t> out(vertexCount, kNone);  // the rim edge that leaves a vertex, as a slot
-  for (std::uint32_t t = 0; t < triangles.size(); ++t)
-    for (std::uint32_t k = 0; k < 3; ++k)
-      if (edges.uses(triangles[t][(k + 1) % 3], triangles[t][k]).empty()) out[triangles[t][k]] = 3 * t + k;
+  parallelFor(vertexCount, threads, RunContext(), 4096, [&](std::size_t v) {
+    for (const HalfEdge& e : edges.from(static_cast<VertexId>(v)))
+      if (edges.uses(e.to, static_cast<VertexId>(v)).empty() && (out[v] == kNone || out[v] < e.slot))
+        out[v] = e.slot;
+  });
 
   Rim rim;
   rim.loopStart.push_back(0);
@@ -60,17 +56,18 @@ Rim rimOf(std::size_t vertexCount, std::span<const Triangle> triangles) {
   return rim;
 }
 
-Components componentsOf(std::size_t vertexCount, std::span<const Triangle> triangles) {
+Components componentsOf(std::size_t vertexCount, std::span<const Triangle> triangles, int threads) {
   UnionFind vertices(vertexCount);
-  for (const Triangle& t : triangles) {
-    vertices.join(t[0], t[1]);
-    vertices.join(t[0], t[2]);
-  }
+  vertices.joinAll(2 * triangles.size(), threads, [&](std::size_t i) {
+    const Triangle& t = triangles[i / 2];
+    return std::pair(t[0], t[1 + i % 2]);
+  });
+  const std::vector<std::uint32_t> root = vertices.roots(threads);
   Components result;
   result.ofTriangle.resize(triangles.size());
   std::vector<std::uint32_t> number(vertexCount, kNone);
   for (std::size_t t = 0; t < triangles.size(); ++t) {
-    std::uint32_t& n = number[vertices.root(triangles[t][0])];
+    std::uint32_t& n = number[root[triangles[t][0]]];
     if (n == kNone) n = result.count++;
     result.ofTriangle[t] = n;
   }

@@ -22,7 +22,8 @@ struct VertexTriangles {
     return std::span(triangles).subspan(offset[v], offset[v + 1] - offset[v]);
   }
 };
-[[nodiscard]] VertexTriangles vertexTriangles(std::size_t vertexCount, std::span<const Triangle> triangles);
+[[nodiscard]] VertexTriangles vertexTriangles(std::size_t vertexCount, std::span<const Triangle> triangles,
+                                              int threads = 1);
 
 /// Neighbour of each triangle across its edge k (from corner k to corner k + 1): the triangle that
 /// uses the edge in the other direction, or kNone on the rim. Requires an edge-manifold, oriented mesh.
@@ -42,13 +43,14 @@ struct Rim {
   std::vector<std::uint32_t> loopStart;
   [[nodiscard]] std::size_t loops() const { return loopStart.size() - 1; }
 };
-[[nodiscard]] Rim rimOf(std::size_t vertexCount, std::span<const Triangle> triangles);
+[[nodiscard]] Rim rimOf(std::size_t vertexCount, std::span<const Triangle> triangles, int threads = 1);
 
 /// Component number of each triangle (connected through shared vertices), numbered by first triangle.
 struct Components {
   std::vector<std::uint32_t> ofTriangle;
   std::uint32_t count = 0;
 };
-[[nodiscard]] Components componentsOf(std::size_t vertexCount, std::span<const Triangle> triangles);
+[[nodiscard]] Components componentsOf(std::size_t vertexCount, std::span<const Triangle> triangles,
+                                      int threads = 1);
 
 }  // namespace thicken

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
 // Disjoint sets of consecutive numbers. The root of a set is its smallest member, whatever the order
-// in which the set was joined.
+// in which the set was joined, and on however many threads.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <numeric>
 #include <utility>
 #include <vector>
+
+#include "parallel_for.h"
 
 namespace thicken {
 
@@ -34,7 +37,58 @@ class UnionFind {
       up_[a] = b;
   }
 
+  /// Joins the pair of numbers pairOf(i) for every i below `count`.
+  template <class PairOf>
+  void joinAll(std::size_t count, int threads, PairOf pairOf) {
+    constexpr std::size_t kGrain = 1 << 13;
+    if (threadCount(threads) == 1 || count <= kGrain) {
+      for (std::size_t i = 0; i < count; ++i) {
+        const auto [a, b] = pairOf(i);
+        join(a, b);
+      }
+      return;
+    }
+    parallelFor(count, threads, RunContext(), kGrain, [&](std::size_t i) {
+      const auto [a, b] = pairOf(i);
+      joinShared(a, b);
+    });
+  }
+
+  /// The roots of all numbers.
+  [[nodiscard]] std::vector<std::uint32_t> roots(int threads) {
+    std::vector<std::uint32_t> result(up_.size());
+    parallelFor(up_.size(), threads, RunContext(), 1 << 13, [&](std::size_t i) {
+      std::uint32_t r = up_[i];
+      while (up_[r] != r) r = up_[r];
+      result[i] = r;
+    });
+    return result;
+  }
+
  private:
+  using Shared = std::atomic_ref<std::uint32_t>;
+
+  // What is written to a number that is no root is always another member of its set, and nearer to the root.
+  std::uint32_t rootShared(std::uint32_t i) {
+    for (;;) {
+      const std::uint32_t up = Shared(up_[i]).load(std::memory_order_relaxed);
+      if (up == i) return i;
+      const std::uint32_t next = Shared(up_[up]).load(std::memory_order_relaxed);
+      if (next != up) Shared(up_[i]).store(next, std::memory_order_relaxed);
+      i = next;
+    }
+  }
+  void joinShared(std::uint32_t a, std::uint32_t b) {
+    for (;;) {
+      a = rootShared(a);
+      b = rootShared(b);
+      if (a == b) return;
+      if (a > b) std::swap(a, b);
+      std::uint32_t root = b;
+      if (Shared(up_[b]).compare_exchange_strong(root, a, std::memory_order_relaxed)) return;
+    }
+  }
+
   std::vector<std::uint32_t> up_;
 };
 

@@ -8,6 +8,7 @@
 #include "exact/predicates.h"
 #include "mesh/float_lattice.h"
 #include "mesh/minimal_area.h"
+#include "parallel_for.h"
 
 namespace thicken {
 
@@ -16,8 +17,8 @@ namespace {
 class Assembler {
  public:
   Assembler(const Carrier& carrier, const DualSurface& dual, const std::vector<Crossing>& crossings,
-            const std::vector<RimWay>& ways)
-      : dual_(dual), crossings_(crossings), ways_(ways) {
+            const std::vector<RimWay>& ways, int threads)
+      : dual_(dual), crossings_(crossings), ways_(ways), threads_(threads) {
     out_.mesh = carrier.mesh;
     out_.region = carrier.region;
     out_.firstDivided = carrier.firstDivided;
@@ -28,8 +29,7 @@ class Assembler {
   }
 
   Assembly run() {
-    for (const Vec3& p : dual_.start) out_.mesh.positions.push_back(roundToFloat(p));
-    for (std::uint32_t c = 0; c < crossings_.size(); ++c) addFace(c);
+    addFaces();
     for (std::size_t l = 0; l < ways_.size(); ++l) addStrip(l);
     return std::move(out_);
   }
@@ -40,24 +40,74 @@ class Assembler {
   }
   [[nodiscard]] const Vec3& at(VertexId v) const { return out_.mesh.positions[v]; }
 
-  void put(const Triangle& t, Region region, std::uint32_t crossing) {
+  // A triangle of the strip beside the rim.
+  void put(const Triangle& t) {
     out_.mesh.triangles.push_back(t);
-    out_.region.push_back(region);
-    out_.crossing.push_back(crossing);
+    out_.region.push_back(Region::kShell);
+    out_.crossing.push_back(Assembly::kStrip);
   }
 
-  void addFace(std::uint32_t c) {
-    const Region region = crossings_[c].beyond == Standing::kRim ? Region::kWall : Region::kShell;
-    const std::vector<VertexId>& f = dual_.faces[c];
-    if (dual_.isQuad(c)) {
-      put({id(f[0]), id(f[1]), id(f[2])}, region, c);
-      put({id(f[0]), id(f[2]), id(f[3])}, region, c);
-      return;
+  // Where the faces of a part of the crossings go: their middle vertices and their triangles.
+  struct Place {
+    std::size_t middles = 0, triangles = 0;
+  };
+
+  void addFaces() {
+    constexpr std::size_t kPart = 1 << 12;
+    const std::size_t count = crossings_.size(), parts = (count + kPart - 1) / kPart;
+    const auto forPart = [&](std::size_t part, const auto& face) {
+      for (std::size_t c = part * kPart; c < std::min(count, (part + 1) * kPart); ++c)
+        face(static_cast<std::uint32_t>(c));
+    };
+    std::vector<Place> place(parts + 1);
+    parallelFor(parts, threads_, RunContext(), 1,
+                [&](std::size_t part) { forPart(part, [&](std::uint32_t c) { pass(c, place[part + 1]); }); });
+    for (std::size_t part = 0; part < parts; ++part) {
+      place[part + 1].middles += place[part].middles;
+      place[part + 1].triangles += place[part].triangles;
     }
-    const auto middle = static_cast<VertexId>(out_.mesh.positions.size());
-    out_.mesh.positions.push_back(roundToFloat(crossings_[c].at));
-    out_.middleOf.push_back(c);
-    for (std::size_t k = 0; k < f.size(); ++k) put({id(f[k]), id(f[(k + 1) % f.size()]), middle}, region, c);
+    const std::size_t triangles = out_.carrierTriangles + place.back().triangles;
+    out_.mesh.positions.resize(out_.carrierVertices + dual_.vertexCount + place.back().middles);
+    out_.middleOf.resize(place.back().middles);
+    out_.mesh.triangles.resize(triangles);
+    out_.region.resize(triangles);
+    out_.crossing.resize(place.back().triangles);
+    parallelFor(dual_.vertexCount, threads_, RunContext(), kPart, [&](std::size_t v) {
+      out_.mesh.positions[out_.carrierVertices + v] = roundToFloat(dual_.start[v]);
+    });
+    parallelFor(parts, threads_, RunContext(), 1, [&](std::size_t part) {
+      Place at = place[part];
+      forPart(part, [&](std::uint32_t c) { addFace(c, at); });
+    });
+  }
+
+  // Moves `at` on by what the face of a crossing takes.
+  void pass(std::uint32_t c, Place& at) const {
+    const bool isQuad = dual_.isQuad(c);
+    at.middles += isQuad ? 0 : 1;
+    at.triangles += isQuad ? 2 : dual_.faces[c].size();
+  }
+
+  void addFace(std::uint32_t c, Place& at) {
+    const Region region = crossings_[c].beyond == Standing::kRim ? Region::kWall : Region::kShell;
+    std::size_t next = at.triangles;
+    const auto set = [&](const Triangle& t) {
+      out_.mesh.triangles[out_.carrierTriangles + next] = t;
+      out_.region[out_.carrierTriangles + next] = region;
+      out_.crossing[next++] = c;
+    };
+    const std::span<const VertexId> f = dual_.faces[c];
+    if (dual_.isQuad(c)) {
+      set({id(f[0]), id(f[1]), id(f[2])});
+      set({id(f[0]), id(f[2]), id(f[3])});
+    } else {
+      const std::size_t middle = out_.carrierVertices + dual_.vertexCount + at.middles;
+      out_.mesh.positions[middle] = roundToFloat(crossings_[c].at);
+      out_.middleOf[at.middles] = c;
+      for (std::size_t k = 0; k < f.size(); ++k)
+        set({id(f[k]), id(f[(k + 1) % f.size()]), static_cast<VertexId>(middle)});
+    }
+    pass(c, at);
   }
 
   // One rim edge from v to w and the contour's border beside it, from the vertex of v's visit to that
@@ -81,10 +131,9 @@ class Assembler {
       before += area(v, chain[s], chain[s + 1]);
       behind -= area(w, chain[s], chain[s + 1]);
     }
-    for (std::size_t j = 0; j < best; ++j) put({v, chain[j], chain[j + 1]}, Region::kShell, Assembly::kStrip);
-    put({w, v, chain[best]}, Region::kShell, Assembly::kStrip);
-    for (std::size_t j = best; j + 1 < n; ++j)
-      put({w, chain[j], chain[j + 1]}, Region::kShell, Assembly::kStrip);
+    for (std::size_t j = 0; j < best; ++j) put({v, chain[j], chain[j + 1]});
+    put({w, v, chain[best]});
+    for (std::size_t j = best; j + 1 < n; ++j) put({w, chain[j], chain[j + 1]});
   }
 
   // Whether a fan around `own` does not turn over.
@@ -108,7 +157,7 @@ class Assembler {
     const auto triangles = minimalAreaTriangulation(
         out_.mesh.positions, loop, carrierEdges_,
         [&](const Triangle& t) { return !exact::collinear(at(t[0]), at(t[1]), at(t[2])); });
-    for (const Triangle& t : triangles) put(t, Region::kShell, Assembly::kStrip);
+    for (const Triangle& t : triangles) put(t);
     return !triangles.empty();
   }
 
@@ -152,6 +201,7 @@ class Assembler {
   const DualSurface& dual_;
   const std::vector<Crossing>& crossings_;
   const std::vector<RimWay>& ways_;
+  int threads_;
   EdgeSet carrierEdges_;
   Assembly out_;
 };
@@ -159,8 +209,8 @@ class Assembler {
 }  // namespace
 
 Assembly assemble(const Carrier& carrier, const DualSurface& dual, const std::vector<Crossing>& crossings,
-                  const std::vector<RimWay>& ways) {
-  return Assembler(carrier, dual, crossings, ways).run();
+                  const std::vector<RimWay>& ways, int threads) {
+  return Assembler(carrier, dual, crossings, ways, threads).run();
 }
 
 }  // namespace thicken

@@ -22,6 +22,7 @@ struct Assembly {
 };
 
 [[nodiscard]] Assembly assemble(const Carrier& carrier, const DualSurface& dual,
-                                const std::vector<Crossing>& crossings, const std::vector<RimWay>& ways);
+                                const std::vector<Crossing>& crossings, const std::vector<RimWay>& ways,
+                                int threads);
 
 }  // namespace thicken

@@ -37,22 +37,27 @@ Attempt::Attempt(const TriangleMesh& surface, const ClosestPointTree& tree, cons
 std::vector<TriangleId> Attempt::run(std::span<const std::uint8_t> keep, Stopwatch& watch) {
   walls_.fit(keep);
   const Carrier carrier =
-      makeCarrier(swept_, walls_.positions(), walls_.up(), surface_.triangles.size(), keep, width_);
+      makeCarrier(swept_, walls_.positions(), walls_.up(), surface_.triangles.size(), keep, width_, threads_);
   const Membership membership(carrier.mesh, tree_, surface_.triangles.size(), options_.thickness,
                               carrier.region, threads_);
   watch.lap("sweep");
   Contour contour = contourer_.contour(carrier, membership, openShell(keep), watch);
-  assembly_ = assemble(carrier, contour.dual, contour.crossings, contour.ways);
-  dropSpecks(assembly_, width_);
+  assembly_ = assemble(carrier, contour.dual, contour.crossings, contour.ways, threads_);
+  dropSpecks(assembly_, width_, threads_);
   watch.lap("faces");
   const int rounds = options_.smooth.value_or(kDefaultRounds);
   const std::vector<Vec3> target = shapedPositions(assembly_, contour.dual, contour.crossings, membership,
                                                    width_, rounds, context_, threads_);
   chooseDiagonals(assembly_, contour.dual, contour.crossings, target, context_, threads_);
-  std::vector<TriangleId> meeting =
+  const std::vector<TriangleId> unsettled =
       settle(assembly_, target, carrier.up, kSettlingLift * width_, proved_, context_, threads_);
-  if (meeting.empty()) meeting = crowdedTriangles();
-  if (meeting.empty()) dropMisplaced(assembly_, threads_);
+  std::vector<TriangleId> meeting = unsettled.empty() ? crowdedTriangles() : unsettled;
+  if (meeting.empty()) {
+    dropMisplaced(assembly_, threads_);
+  } else {  // for the next attempt
+    proved_.replace(assembly_.mesh, unsettled, threads_);
+    contourer_.remember(std::move(contour.crossings));
+  }
   watch.lap("shape");
   return meeting;
 }
@@ -76,7 +81,7 @@ std::vector<TriangleId> Attempt::crowdedTriangles() const {
       for (const VertexId v : triangles[t]) onStrip[v] = 1;
   for (std::size_t t = 0; t < triangles.size(); ++t)
     beside[t] = onStrip[triangles[t][0]] + onStrip[triangles[t][1]] + onStrip[triangles[t][2]] > 1;
-  const HalfEdges edges(assembly_.mesh.positions.size(), triangles, beside);
+  const HalfEdges edges(assembly_.mesh.positions.size(), triangles, beside, threads_);
   std::vector<TriangleId> crowded;
   edges.forEachEdge([&](VertexId, VertexId, auto forth, auto back) {
     if (forth.size() + back.size() <= 2) return;

@@ -131,7 +131,8 @@ void openFans(const TriangleMesh& swept, std::span<const Region> region, std::ve
 }
 
 Carrier makeCarrier(const SweepResult& swept, std::span<const Vec3> positions, std::vector<Vec3> up,
-                    std::size_t surfaceTriangles, std::span<const std::uint8_t> keep, double longest) {
+                    std::size_t surfaceTriangles, std::span<const std::uint8_t> keep, double longest,
+                    int threads) {
   Carrier carrier;
   carrier.up = std::move(up);
   carrier.firstDivided = static_cast<VertexId>(positions.size());
@@ -139,7 +140,7 @@ Carrier makeCarrier(const SweepResult& swept, std::span<const Vec3> positions, s
   carrier.mesh.triangles = keptTriangles(swept.mesh, keep);
   for (std::size_t t = 0; t < keep.size(); ++t)
     if (keep[t]) carrier.region.push_back(swept.region[t]);
-  const Rim rim = rimOf(carrier.mesh.positions.size(), carrier.mesh.triangles);
+  const Rim rim = rimOf(carrier.mesh.positions.size(), carrier.mesh.triangles, threads);
   std::vector<std::array<bool, 3>> onRim(carrier.mesh.triangles.size(), {false, false, false});
   for (const RimEdge& e : rim.edges)
     for (int k = 0; k < 3; ++k)
@@ -147,7 +148,7 @@ Carrier makeCarrier(const SweepResult& swept, std::span<const Vec3> positions, s
   RimDivider divider(carrier, longest);
   for (std::size_t t = surfaceTriangles; t < onRim.size(); ++t)
     divider.divide(static_cast<TriangleId>(t), onRim[t]);
-  carrier.rim = rimOf(carrier.mesh.positions.size(), carrier.mesh.triangles);
+  carrier.rim = rimOf(carrier.mesh.positions.size(), carrier.mesh.triangles, threads);
   return carrier;
 }
 

@@ -34,6 +34,6 @@ void openFans(const TriangleMesh& swept, std::span<const Region> region, std::ve
 /// longer than `longest` mm are divided evenly, those of the first `surfaceTriangles` triangles excepted.
 [[nodiscard]] Carrier makeCarrier(const SweepResult& swept, std::span<const Vec3> positions,
                                   std::vector<Vec3> up, std::size_t surfaceTriangles,
-                                  std::span<const std::uint8_t> keep, double longest);
+                                  std::span<const std::uint8_t> keep, double longest, int threads);
 
 }  // namespace thicken

@@ -102,9 +102,15 @@ Contour Contourer::attempt(const Carrier& carrier, const Membership& membership,
   watch.lap("field");
   recall(made.crossings);
   placeCrossings(made.crossings, grid_, *field_, membership, context_, threads_);
-  last_ = made.crossings;
   made.dual = dualSurface(made.crossings, made.ways, grid_, carrier.mesh.positions, threads_);
   return made;
+}
+
+void Contourer::remember(std::vector<Crossing> crossings) {
+  last_ = std::move(crossings);
+  // The wall's normals came with its shape.
+  for (Crossing& c : last_)
+    if (c.beyond == Standing::kRim) c.normal = Vec3::Zero();
 }
 
 // Before the first carrier there is nothing to forget.

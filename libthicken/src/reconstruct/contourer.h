@@ -35,6 +35,9 @@ class Contourer {
   [[nodiscard]] Contour contour(const Carrier& carrier, const Membership& membership, const Seeds& seeds,
                                 Stopwatch& watch);
 
+  /// Keeps where the crossings of the last contour lie, for the next one.
+  void remember(std::vector<Crossing> crossings);
+
   /// Of the last contour.
   [[nodiscard]] const UniformGrid& grid() const { return grid_; }
   [[nodiscard]] const NodeField& field() const { return *field_; }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "reconstruct/loose_parts.h"
 
+#include <algorithm>
+
 #include "check/nesting.h"
 #include "exact/box_tree.h"
 #include "mesh/bounds.h"
@@ -28,17 +30,23 @@ void dropParts(Assembly& assembly, const Components& parts, std::span<const std:
   assembly.carrierTriangles = keptOfCarrier;
 }
 
+bool allOf(std::span<const std::uint8_t> flags) {
+  return std::find(flags.begin(), flags.end(), 0) == flags.end();
+}
+
 }  // namespace
 
-void dropSpecks(Assembly& assembly, double width) {
+void dropSpecks(Assembly& assembly, double width, int threads) {
   constexpr double kSpeck = 8;  // cells
-  const Components parts = componentsOf(assembly.mesh.positions.size(), assembly.mesh.triangles);
+  const TriangleMesh& mesh = assembly.mesh;
+  const Components parts = componentsOf(mesh.positions.size(), mesh.triangles, threads);
   std::vector<std::uint8_t> hangs(parts.count, 0);
+  for (std::size_t t = 0; t < assembly.carrierTriangles; ++t) hangs[parts.ofTriangle[t]] = 1;
+  if (allOf(hangs)) return;
   std::vector<Bounds> bounds(parts.count);
-  for (std::size_t t = 0; t < parts.ofTriangle.size(); ++t) {
-    if (t < assembly.carrierTriangles) hangs[parts.ofTriangle[t]] = 1;
-    for (const VertexId v : assembly.mesh.triangles[t])
-      bounds[parts.ofTriangle[t]].add(assembly.mesh.positions[v]);
+  for (std::size_t t = assembly.carrierTriangles; t < parts.ofTriangle.size(); ++t) {
+    if (hangs[parts.ofTriangle[t]]) continue;
+    for (const VertexId v : mesh.triangles[t]) bounds[parts.ofTriangle[t]].add(mesh.positions[v]);
   }
   std::vector<std::uint8_t> drop(parts.count, 0);
   for (std::uint32_t part = 0; part < parts.count; ++part)
@@ -48,12 +56,12 @@ void dropSpecks(Assembly& assembly, double width) {
 
 void dropMisplaced(Assembly& assembly, int threads) {
   const TriangleMesh& mesh = assembly.mesh;
-  const Components parts = componentsOf(mesh.positions.size(), mesh.triangles);
+  const Components parts = componentsOf(mesh.positions.size(), mesh.triangles, threads);
   std::vector<std::uint8_t> hangs(parts.count, 0), drop(parts.count, 0);
   for (std::size_t t = 0; t < assembly.carrierTriangles; ++t)
     if (assembly.region[t] == Region::kOriginal) hangs[parts.ofTriangle[t]] = 1;
-  if (std::find(hangs.begin(), hangs.end(), 0) == hangs.end()) return;
-  const HalfEdges edges(mesh.positions.size(), mesh.triangles);
+  if (allOf(hangs)) return;
+  const HalfEdges edges(mesh.positions.size(), mesh.triangles, {}, threads);
   const exact::BoxTree tree(mesh.positions, mesh.triangles, threads);
   const std::vector<VertexId> lowest = lowestVertices(mesh, parts);
   for (std::uint32_t part = 0; part < parts.count; ++part)

@@ -9,7 +9,7 @@ namespace thicken {
 
 /// Removes pieces that are but a few cells large: islands and cavities where the field is finer than the
 /// grid. Every part of the solid hangs together with S.
-void dropSpecks(Assembly& assembly, double width);
+void dropSpecks(Assembly& assembly, double width, int threads);
 
 /// Removes pieces of a contour without meetings that turned inside out when they were shaped, or that
 /// float in nothing: exact, by where their lowest vertex lies.

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <bit>
+#include <functional>
 
 #include "exact/predicates.h"
 #include "mesh/float_lattice.h"
+#include "mesh/parallel_sort.h"
 #include "mesh/sort_unique.h"
 
 namespace thicken {
@@ -13,6 +15,8 @@ namespace thicken {
 namespace {
 
 using Ids = std::vector<std::uint32_t>;
+
+constexpr std::size_t kGrain = 4096;  // triangles or vertices that a thread takes at a time
 
 std::uint64_t hashOf(const TriangleMesh& mesh, const Triangle& t) {
   std::uint64_t h = 0;
@@ -38,9 +42,10 @@ class Settler {
         start_(assembly.mesh.positions.begin() + static_cast<std::ptrdiff_t>(assembly.carrierVertices),
                assembly.mesh.positions.end()),
         share_(start_.size(), 1),
-        around_(vertexTriangles(assembly.mesh.positions.size(), assembly.mesh.triangles)) {
-    for (std::size_t i = 0; i < start_.size(); ++i) position(i) = roundToFloat(target[i]);
-    clear_ = proved.among(assembly.mesh);
+        around_(vertexTriangles(assembly.mesh.positions.size(), assembly.mesh.triangles, threads)) {
+    parallelFor(start_.size(), threads, context, kGrain,
+                [&](std::size_t i) { position(i) = roundToFloat(target[i]); });
+    clear_ = proved.among(assembly.mesh, threads);
     for (TriangleId t = 0; t < assembly.carrierTriangles; ++t)
       if (!isDivided(t)) clear_[t] = 1;
   }
@@ -48,8 +53,7 @@ class Settler {
   Ids run() {
     exact::BoxTree tree(a_.mesh.positions, a_.mesh.triangles, threads_);
     pairs_ = tree.meetingPairs(a_.mesh.positions, a_.mesh.triangles, clear_, context_, threads_);
-    for (TriangleId t = 0; t < a_.mesh.triangles.size(); ++t)
-      if ((t >= a_.carrierTriangles || isDivided(t)) && isFlat(t)) flat_.push_back(t);
+    findFlat();
     for (int round = 0; round < kBackwards + kRelaxations && !done(); ++round) {
       context_.throwIfCancelled();
       const int relaxation = round - kBackwards;
@@ -84,6 +88,16 @@ class Settler {
   [[nodiscard]] bool isFlat(TriangleId t) const {
     const auto& [a, b, c] = a_.mesh.triangles[t];
     return exact::collinear(a_.mesh.positions[a], a_.mesh.positions[b], a_.mesh.positions[c]);
+  }
+
+  void findFlat() {
+    std::vector<std::uint8_t> is(a_.mesh.triangles.size());
+    parallelFor(is.size(), threads_, context_, kGrain, [&](std::size_t i) {
+      const auto t = static_cast<TriangleId>(i);
+      is[t] = (t >= a_.carrierTriangles || isDivided(t)) && isFlat(t);
+    });
+    for (TriangleId t = 0; t < is.size(); ++t)
+      if (is[t]) flat_.push_back(t);
   }
 
   [[nodiscard]] Ids meeting() const {
@@ -196,27 +210,34 @@ class Settler {
 
 }  // namespace
 
-std::vector<std::uint8_t> ProvedTriangles::among(const TriangleMesh& mesh) const {
+std::vector<std::uint8_t> ProvedTriangles::among(const TriangleMesh& mesh, int threads) const {
   std::vector<std::uint8_t> is(mesh.triangles.size(), 0);
   if (hashes_.empty()) return is;
-  for (std::size_t t = 0; t < is.size(); ++t)
+  parallelFor(is.size(), threads, RunContext(), kGrain, [&](std::size_t t) {
     is[t] = std::binary_search(hashes_.begin(), hashes_.end(), hashOf(mesh, mesh.triangles[t]));
+  });
   return is;
 }
 
-void ProvedTriangles::replace(const TriangleMesh& mesh, std::span<const TriangleId> meeting) {
-  hashes_.clear();
-  for (TriangleId t = 0; t < mesh.triangles.size(); ++t)
-    if (!std::binary_search(meeting.begin(), meeting.end(), t))
-      hashes_.push_back(hashOf(mesh, mesh.triangles[t]));
-  std::sort(hashes_.begin(), hashes_.end());
+void ProvedTriangles::replace(const TriangleMesh& mesh, std::span<const TriangleId> meeting, int threads) {
+  hashes_.resize(mesh.triangles.size());
+  parallelFor(hashes_.size(), threads, RunContext(), kGrain,
+              [&](std::size_t t) { hashes_[t] = hashOf(mesh, mesh.triangles[t]); });
+  std::size_t kept = 0;
+  for (std::size_t t = 0, m = 0; t < hashes_.size(); ++t) {
+    if (m < meeting.size() && meeting[m] == t)
+      ++m;
+    else
+      hashes_[kept++] = hashes_[t];
+  }
+  hashes_.resize(kept);
+  parallelSort(hashes_, std::less<>(), threads);
 }
 
 std::vector<TriangleId> settle(Assembly& assembly, std::span<const Vec3> target, std::span<const Vec3> up,
-                               double step, ProvedTriangles& proved, const RunContext& context, int threads) {
-  std::vector<TriangleId> meeting = Settler(assembly, target, up, step, proved, context, threads).run();
-  proved.replace(assembly.mesh, meeting);
-  return meeting;
+                               double step, const ProvedTriangles& proved, const RunContext& context,
+                               int threads) {
+  return Settler(assembly, target, up, step, proved, context, threads).run();
 }
 
 }  // namespace thicken

@@ -12,9 +12,9 @@ namespace thicken {
 class ProvedTriangles {
  public:
   /// Which of the triangles of `mesh` are among them.
-  [[nodiscard]] std::vector<std::uint8_t> among(const TriangleMesh& mesh) const;
-  /// Replaces them by the triangles of `mesh` except those that meet others.
-  void replace(const TriangleMesh& mesh, std::span<const TriangleId> meeting);
+  [[nodiscard]] std::vector<std::uint8_t> among(const TriangleMesh& mesh, int threads) const;
+  /// Replaces them by the triangles of `mesh` except those that meet others (ascending).
+  void replace(const TriangleMesh& mesh, std::span<const TriangleId> meeting, int threads);
 
  private:
   std::vector<std::uint64_t> hashes_;  ///< sorted; the audit of the result does not rely on them
@@ -23,9 +23,10 @@ class ProvedTriangles {
 /// Places the contour's vertices at `target` (floats), back towards where they started where triangles
 /// meet, draws the ends of walls that are in the way back by `step` mm along `up` (Carrier), and evens out
 /// what still meets. Returns the triangles that meet in the end, ascending; `proved` are not tested against
-/// each other unless they move, and are replaced.
+/// each other unless they move.
 [[nodiscard]] std::vector<TriangleId> settle(Assembly& assembly, std::span<const Vec3> target,
-                                             std::span<const Vec3> up, double step, ProvedTriangles& proved,
-                                             const RunContext& context, int threads);
+                                             std::span<const Vec3> up, double step,
+                                             const ProvedTriangles& proved, const RunContext& context,
+                                             int threads);
 
 }  // namespace thicken

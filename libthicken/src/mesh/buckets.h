@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Sorts what items bring into numbered buckets, on several threads: each counts and then puts those of its
+// own part of the items, so that every bucket holds its values in the order of the items.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "parallel_for.h"
+
+namespace thicken {
+
+/// The values in bucket b are `values[offset[b]] … values[offset[b + 1] − 1]`.
+template <class T>
+struct Buckets {
+  std::vector<std::uint32_t> offset;
+  std::vector<T> values;
+};
+
+/// `visit(i, put)` calls put(bucket, value) for each value that item i brings, the same ones whenever it is
+/// called; on any thread.
+template <class T, class Visit>
+[[nodiscard]] Buckets<T> intoBuckets(std::size_t items, std::size_t buckets, int threads, Visit visit) {
+  constexpr std::size_t kWorthwhile = 1 << 14, kMostParts = 8;
+  const std::size_t parts = std::clamp<std::size_t>(items / kWorthwhile, 1,
+                                                    std::min<std::size_t>(threadCount(threads), kMostParts));
+  const RunContext uncancelled;
+  std::vector<std::vector<std::uint32_t>> next(parts);  // place of the next value, a bucket
+  const auto forPart = [&](std::size_t part, const auto& put) {
+    const std::size_t end = items * (part + 1) / parts;
+    for (std::size_t i = items * part / parts; i < end; ++i) visit(i, put);
+  };
+  parallelFor(parts, threads, uncancelled, 1, [&](std::size_t part) {
+    next[part].assign(buckets, 0);
+    forPart(part, [&count = next[part]](std::size_t bucket, const T&) { ++count[bucket]; });
+  });
+  Buckets<T> result;
+  result.offset.resize(buckets + 1);
+  std::uint32_t sum = 0;
+  for (std::size_t b = 0; b < buckets; ++b) {
+    result.offset[b] = sum;
+    for (auto& places : next) {
+      const std::uint32_t count = places[b];
+      places[b] = sum;
+      sum += count;
+    }
+  }
+  result.offset[buckets] = sum;
+  result.values.resize(sum);
+  parallelFor(parts, threads, uncancelled, 1, [&](std::size_t part) {
+    forPart(part, [&](std::size_t bucket, const T& value) { result.values[next[part][bucket]++] = value; });
+  });
+  return result;
+}
+
+}  // namespace thicken

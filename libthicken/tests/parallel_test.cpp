@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// What is done on several threads must not depend on how many they are.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <numeric>
+#include <random>
+
+#include "field/block_index.h"
+#include "mesh/buckets.h"
+#include "mesh/parallel_sort.h"
+#include "mesh/union_find.h"
+
+namespace thicken {
+namespace {
+
+constexpr std::size_t kMany = 100'000;  // enough to be shared out
+
+std::vector<std::uint32_t> someNumbers(std::size_t count, std::uint32_t below) {
+  std::mt19937 random(7);
+  std::vector<std::uint32_t> numbers(count);
+  for (std::uint32_t& n : numbers) n = random() % below;
+  return numbers;
+}
+
+TEST(ParallelSort, SortsOnAnyNumberOfThreads) {
+  for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{1000}, kMany}) {
+    const auto numbers = someNumbers(count, 5000);
+    auto expected = numbers;
+    std::sort(expected.begin(), expected.end());
+    for (const int threads : {1, 2, 3, 4, 8}) {
+      auto sorted = numbers;
+      parallelSort(sorted, std::less<>(), threads);
+      EXPECT_EQ(sorted, expected) << count << " on " << threads;
+    }
+  }
+}
+
+TEST(MergeRuns, MergesRunsOfAnyLength) {
+  const auto numbers = someNumbers(kMany, 1'000'000);
+  auto expected = numbers;
+  std::sort(expected.begin(), expected.end());
+  const std::vector<std::size_t> bounds{0, 0, 10, 50'000, 50'001, 50'001, 99'000, kMany};
+  for (const int threads : {1, 2, 4}) {
+    auto items = numbers;
+    for (std::size_t i = 0; i + 1 < bounds.size(); ++i)
+      std::sort(items.begin() + static_cast<std::ptrdiff_t>(bounds[i]),
+                items.begin() + static_cast<std::ptrdiff_t>(bounds[i + 1]));
+    mergeRuns(items, bounds, std::less<>(), threads);
+    EXPECT_EQ(items, expected) << threads;
+  }
+}
+
+TEST(Buckets, HoldValuesInTheOrderOfTheItems) {
+  constexpr std::size_t kBuckets = 300;
+  const auto bucket = someNumbers(kMany, kBuckets);
+  std::vector<std::vector<std::uint32_t>> expected(kBuckets);
+  for (std::uint32_t i = 0; i < kMany; ++i)
+    if (i % 7 != 0) expected[bucket[i]].push_back(i);
+  for (const int threads : {1, 2, 3, 16}) {
+    const auto buckets =
+        intoBuckets<std::uint32_t>(kMany, kBuckets, threads, [&](std::size_t i, const auto& put) {
+          if (i % 7 != 0) put(bucket[i], static_cast<std::uint32_t>(i));
+        });
+    ASSERT_EQ(buckets.offset.size(), kBuckets + 1);
+    for (std::size_t b = 0; b < kBuckets; ++b)
+      EXPECT_EQ(std::vector(buckets.values.begin() + buckets.offset[b],
+                            buckets.values.begin() + buckets.offset[b + 1]),
+                expected[b]);
+  }
+  EXPECT_EQ(intoBuckets<int>(0, 0, 2, [](std::size_t, const auto&) {}).offset.size(), 1u);
+}
+
+// Chains that many threads join at both ends and in the middle.
+TEST(UnionFind, HasTheSmallestMemberAsRootOnAnyNumberOfThreads) {
+  constexpr std::uint32_t kSets = 10;
+  auto order = someNumbers(kMany, kMany);
+  for (const int threads : {1, 2, 4}) {
+    UnionFind sets(kMany + kSets);
+    sets.joinAll(2 * kMany, threads, [&](std::size_t i) {
+      const std::uint32_t a = i < kMany ? static_cast<std::uint32_t>(kMany - 1 - i) : order[i - kMany];
+      return std::pair(a + kSets, a);
+    });
+    const auto roots = sets.roots(threads);
+    for (std::uint32_t i = 0; i < roots.size(); ++i) ASSERT_EQ(roots[i], i % kSets) << threads;
+  }
+}
+
+TEST(BlockIndex, NumbersKeysAsTheyArrive) {
+  BlockIndex index;
+  std::map<std::uint64_t, std::uint32_t> expected;
+  for (const std::uint32_t n : someNumbers(20'000, 1 << 15)) {
+    const std::uint64_t key = UniformGrid::key(
+        {static_cast<int>(n & 31), static_cast<int>(n >> 5 & 31), 1000 + static_cast<int>(n >> 10)});
+    const bool isNew = !expected.contains(key);
+    if (isNew) {
+      EXPECT_EQ(index.find(key), BlockIndex::kAbsent);
+      expected.emplace(key, static_cast<std::uint32_t>(expected.size()));
+    }
+    EXPECT_EQ(index.insert(key), (std::pair{expected.at(key), isNew}));
+  }
+  EXPECT_EQ(index.size(), expected.size());
+  for (const auto& [key, number] : expected) {
+    EXPECT_EQ(index.find(key), number);
+    EXPECT_EQ(index.keys()[number], key);
+  }
+}
+
+}  // namespace
+}  // namespace thicken
