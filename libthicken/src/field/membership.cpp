@@ -9,6 +9,10 @@ namespace thicken {
 
 namespace {
 
+// That a piece of shell may be off by, in r: the space between it and the thickness is neither material
+// before it nor a void behind it, where a contour would be a second layer.
+constexpr double kOff = 0.02;
+
 bool behind(const Vec3& p, const ClosestPoint& c) {
   return (p - c.point).dot(c.pseudonormal) < 0;
 }
@@ -54,11 +58,14 @@ Membership::Membership(const TriangleMesh& carrier, const ClosestPointTree& surf
     region_.assign(region.begin() + static_cast<std::ptrdiff_t>(surfaceTriangles), region.end());
 }
 
+bool Membership::isShell(TriangleId beyond) const {
+  return !region_.empty() && beyond >= atRim_ && region_[beyond - atRim_] == Region::kShell;
+}
+
 // Before a wall is the cross-section. Before a piece of shell nothing is behind the sheet that it belongs to,
 // but another sheet may be so near that this is in its material.
 Standing Membership::beforeCarrier(const Vec3& p, const ClosestPoint& onSurface, TriangleId beyond) const {
-  if (region_.empty() || region_[beyond - atRim_] != Region::kShell) return Standing::kRim;
-  constexpr double kOff = 0.01;  // that a piece of shell may be, in r, by which no material begins before it
+  if (!isShell(beyond)) return Standing::kRim;
   const bool inside =
       !onSurface.onRim && onSurface.distance < (1 - kOff) * thickness_ && behind(p, onSurface);
   return inside ? Standing::kInside : Standing::kFar;
@@ -86,6 +93,8 @@ Probe Membership::probe(const Vec3& p) const {
                                       : Standing::kInside;
   else if (!behind(p, onCarrier))
     result.standing = onSurface ? Standing::kFront : beforeCarrier(p, c, onCarrier.triangle);
+  else if (!onSurface && isShell(onCarrier.triangle))
+    result.standing = c.distance > (1 + kOff) * thickness_ ? Standing::kFar : Standing::kInside;
   else
     result.standing = far ? Standing::kFar : Standing::kInside;
   return result;

@@ -45,6 +45,7 @@ class Membership {
   [[nodiscard]] const ClosestPointTree& surface() const { return surface_; }
 
  private:
+  [[nodiscard]] bool isShell(TriangleId beyond) const;
   [[nodiscard]] Standing beforeCarrier(const Vec3& p, const ClosestPoint& onSurface, TriangleId beyond) const;
 
   const ClosestPointTree& surface_;

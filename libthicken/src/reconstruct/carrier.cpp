@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "reconstruct/carrier.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "measure/measure.h"
 #include "mesh/float_lattice.h"
 #include "mesh/half_edges.h"
 
@@ -127,6 +129,41 @@ void openFans(const TriangleMesh& swept, std::span<const Region> region, std::ve
         shrunk = true;
         keep[t] = 0;
       }
+  }
+}
+
+void trimSpikes(const TriangleMesh& swept, std::span<const Region> region, double largest,
+                std::vector<std::uint8_t>& keep) {
+  constexpr int kRounds = 3;
+  constexpr double kSharp = 2;  // radians
+  const auto around = vertexTriangles(swept.positions.size(), swept.triangles);
+  const auto angleAt = [&](const Triangle& t, VertexId v) {
+    const int k = t[0] == v ? 0 : t[1] == v ? 1 : 2;
+    const Vec3 a = swept.positions[t[(k + 1) % 3]] - swept.positions[v];
+    const Vec3 b = swept.positions[t[(k + 2) % 3]] - swept.positions[v];
+    return std::atan2(a.cross(b).norm(), a.dot(b));
+  };
+  for (int round = 0; round < kRounds; ++round) {
+    std::vector<TriangleId> spikes;
+    for (VertexId v = 0; v < swept.positions.size(); ++v) {
+      double angle = 0;
+      bool anyKept = false, anyGone = false, isFree = true;
+      for (const TriangleId t : around.of(v)) {
+        isFree &= region[t] == Region::kShell;
+        if (!keep[t]) {
+          anyGone = true;
+          continue;
+        }
+        anyKept = true;
+        isFree &= areaOf(swept.positions, swept.triangles[t]) <= largest;
+        angle += angleAt(swept.triangles[t], v);
+      }
+      if (!isFree || !anyKept || !anyGone || angle > kSharp) continue;
+      for (const TriangleId t : around.of(v))
+        if (keep[t]) spikes.push_back(t);
+    }
+    if (spikes.empty()) return;
+    for (const TriangleId t : spikes) keep[t] = 0;
   }
 }
 

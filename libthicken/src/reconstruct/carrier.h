@@ -30,6 +30,12 @@ void closeFans(const TriangleMesh& swept, std::vector<std::uint8_t>& keep);
 /// Takes shell triangles out of `keep` until no vertex has two fans because of them.
 void openFans(const TriangleMesh& swept, std::span<const Region> region, std::vector<std::uint8_t>& keep);
 
+/// Gives spikes of the kept shell over to the contour: triangles of at most `largest` mm² around a vertex of
+/// its rim where they fill a sharp corner. A corner within a cell may reach past the contour's vertex there,
+/// and the strip between the two would be folded.
+void trimSpikes(const TriangleMesh& swept, std::span<const Region> region, double largest,
+                std::vector<std::uint8_t>& keep);
+
 /// The carrier of the kept triangles, the sweep's vertices at `positions`, with `up` of each; rim edges
 /// longer than `longest` mm are divided evenly, those of the first `surfaceTriangles` triangles excepted.
 [[nodiscard]] Carrier makeCarrier(const SweepResult& swept, std::span<const Vec3> positions,

@@ -27,6 +27,9 @@ constexpr std::size_t kSomeAttempts = 4;
 // Reach of a refinement in cells, and its growth from one to the next, so that they end.
 constexpr double kFirstReach = 0.5, kReachGrowth = 1.4;
 
+// The largest triangle of the sweep that is given over for the sake of others, in squares of a cell.
+constexpr double kLargestGiven = 1000;
+
 // The triangles of `shell` within `reach` mm of the box around a triangle.
 std::vector<TriangleId> shellNear(const exact::BoxTree& shell, const TriangleMesh& mesh, TriangleId t,
                                   double reach) {
@@ -66,13 +69,12 @@ void separateFans(const SweepResult& swept, std::vector<std::uint8_t>& keep) {
 bool yield(const SweepResult& swept, const exact::BoxTree& shell, const Assembly& assembly,
            std::span<const TriangleId> meeting, double reach, double width,
            std::vector<std::uint8_t>& yielded, std::vector<std::uint8_t>& keep) {
-  constexpr double kLargest = 1000;  // cells
   bool any = false;
   for (const TriangleId t : meeting)
     for (const TriangleId s : shellNear(shell, assembly.mesh, t, reach)) {
       if (yielded[s]) continue;
       yielded[s] = 1;
-      if (areaOf(swept.mesh.positions, swept.mesh.triangles[s]) > kLargest * width * width) continue;
+      if (areaOf(swept.mesh.positions, swept.mesh.triangles[s]) > kLargestGiven * width * width) continue;
       any |= keep[s] != 0;
       keep[s] = 0;
     }
@@ -159,6 +161,7 @@ std::optional<Reconstruction> complete(const TriangleMesh& surface, const Closes
     isShell[t] = swept.region[t] == Region::kShell;
     anyShell |= isShell[t] && keep[t];
   }
+  if (anyShell) trimSpikes(swept.mesh, swept.region, kLargestGiven * width * width, keep);
   // Walls that were proved alone have none to separate.
   if (anyShell || swept.shellProved) separateFans(swept, keep);
   const exact::BoxTree shell(swept.mesh.positions, swept.mesh.triangles, threads, isShell);

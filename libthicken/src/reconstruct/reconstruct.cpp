@@ -48,18 +48,16 @@ Reconstruction reconstruct(const TriangleMesh& surface, const ClosestPointTree& 
 std::optional<Reconstruction> deepen(const TriangleMesh& surface, const ClosestPointTree& tree,
                                      const SweepResult& swept, const Options& options,
                                      const RunContext& context, int threads, Stopwatch& watch) {
-  // Where the contour has that much to make, the rest of the sweep's shell is not worth the seam around it.
-  // Where all of it would take cells that coarse, in r, finer ones are for the worst places alone.
-  constexpr double kMost = 0.25, kCoarsest = 1.0 / 3;
+  // Finer cells are for the worst places alone, with a seam around them. A contour of the whole shell has
+  // none.
+  constexpr double kCoarsest = 1.0 / 3;  // of r
   ShellPlan plan = planShell(surface, swept, tree, options, context, threads);
   if (plan.keepsAll()) return std::nullopt;
   const double r = options.thickness, area = areaOf(surface), width = cellWidth(surface, area, options);
-  const bool mayMakeAll = width < kCoarsest * r && hasRoomForField(area, width, context);
-  if (!mayMakeAll || plan.area <= kMost * area) {
+  if (width >= kCoarsest * r || !hasRoomForField(area, width, context)) {
     requireRoomForField(surface, plan.area, r, plan.width, context);
-    if (auto made = complete(surface, tree, swept, {std::move(plan.keep), plan.area, plan.width, !mayMakeAll},
-                             options, context, threads, watch))
-      return made;
+    return complete(surface, tree, swept, {std::move(plan.keep), plan.area, plan.width, true}, options,
+                    context, threads, watch);
   }
   const auto asMade = [&]() -> const SweepResult& { return swept; };
   return wholeContour(surface, tree, asMade, area, width, options, context, threads, watch);

@@ -82,6 +82,17 @@ double affordableError(const TriangleMesh& mesh, std::span<const double> errors,
   return 0;
 }
 
+// Whether the sweep is as good as a contour nearly everywhere, and never far off.
+bool isNearlyAll(const ShellPlan& plan, const SweepResult& swept, std::span<const double> errors, double r) {
+  constexpr double kRest = 0.005, kMostOff = 0.01;  // of the shell's area; in r
+  double shell = 0;
+  for (std::size_t t = 0; t < errors.size(); ++t) {
+    if (errors[t] > kMostOff * r) return false;
+    if (swept.region[t] == Region::kShell) shell += areaOf(swept.mesh.positions, swept.mesh.triangles[t]);
+  }
+  return plan.area <= kRest * shell;
+}
+
 // Cells that the contour passes, and those that the rim beside it is divided by: scattered large triangles
 // have much of that.
 double cellsOf(const TriangleMesh& mesh, const ShellPlan& plan) {
@@ -102,6 +113,10 @@ ShellPlan planShell(const TriangleMesh& surface, const SweepResult& swept, const
   const std::vector<double> errors = shellErrors(swept, tree, r, context, threads);
   ShellPlan plan = planFor(surface, swept, errors, finest * r, options);
   if (plan.keepsAll()) return plan;
+  if (!options.tolerance && isNearlyAll(plan, swept, errors, r)) {
+    std::fill(plan.keep.begin(), plan.keep.end(), std::uint8_t{1});
+    return plan;
+  }
   // Wider cells are no better than a sweep that is off by as much.
   const double error = contourError(plan.width, r);
   if (error > finest) plan = planFor(surface, swept, errors, error * r, options);
