@@ -6,6 +6,5 @@ if(MSVC)
   target_compile_options(thicken_warnings INTERFACE /W4 $<$<BOOL:${THICKEN_WERROR}>:/WX>)
 else()
   target_compile_options(thicken_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow
-                         $<$<NOT:$<BOOL:${THICKEN_OPENMP}>>:-Wno-unknown-pragmas>
                          $<$<BOOL:${THICKEN_WERROR}>:-Werror>)
 endif()

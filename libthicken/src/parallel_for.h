@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// The one place with OpenMP loops: threads, cancel checks, and exceptions that must not leave a
-// parallel region.
+// The one place where threads run: by OpenMP, which keeps them between loops, or else by the standard
+// library, which starts them for each loop and which the thread sanitizer can see into. Cancel checks, and
+// exceptions that must not leave a thread.
 #pragma once
 
 #ifdef _OPENMP
 #include <omp.h>
+#else
+#include <atomic>
+#include <thread>
+#include <vector>
 #endif
 
+#include <algorithm>
 #include <cstddef>
 #include <exception>
+#include <mutex>
 
 #include "thicken/run_context.h"
 
@@ -20,9 +27,32 @@ namespace thicken {
 #ifdef _OPENMP
   return threads > 0 ? threads : omp_get_max_threads();
 #else
-  return threads > 0 ? threads : 1;
+  return threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 #endif
 }
+
+namespace detail {
+
+/// Calls block(b) for b in [0, blocks), which must not throw, on `count` threads.
+template <class Block>
+void runBlocks(std::size_t blocks, int count, Block block) {
+  const bool several = count > 1 && blocks > 1;
+#ifdef _OPENMP
+#pragma omp parallel for schedule(dynamic, 1) num_threads(count) if (several)
+  for (std::size_t b = 0; b < blocks; ++b) block(b);
+#else
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    for (std::size_t b; (b = next.fetch_add(1, std::memory_order_relaxed)) < blocks;) block(b);
+  };
+  std::vector<std::jthread> others;
+  if (several)
+    for (int i = 1; i < count; ++i) others.emplace_back(work);
+  work();
+#endif
+}
+
+}  // namespace detail
 
 /// Calls body(i) for i in [0, n), in blocks of `grain`, on `threads` threads. Results must go to
 /// places addressed by i, so that they do not depend on the schedule. The exception of the lowest
@@ -32,22 +62,28 @@ void parallelFor(std::size_t n, int threads, const RunContext& context, std::siz
   const std::size_t blocks = (n + grain - 1) / grain;
   std::exception_ptr error;
   std::size_t errorBlock = blocks;
-  const int count = threadCount(threads);
-#pragma omp parallel for schedule(dynamic, 1) num_threads(count) if (count > 1 && blocks > 1)
-  for (std::size_t b = 0; b < blocks; ++b) {
+  std::mutex guard;
+  detail::runBlocks(blocks, threadCount(threads), [&](std::size_t b) {
     try {
       context.throwIfCancelled();
       const std::size_t end = b + 1 < blocks ? (b + 1) * grain : n;
       for (std::size_t i = b * grain; i < end; ++i) body(i);
     } catch (...) {
-#pragma omp critical(thicken_parallel_for)
-      if (b < errorBlock) {
-        errorBlock = b;
-        error = std::current_exception();
-      }
+      const std::lock_guard lock(guard);
+      if (b >= errorBlock) return;
+      errorBlock = b;
+      error = std::current_exception();
     }
-  }
+  });
   if (error) std::rethrow_exception(error);
+}
+
+/// Calls work(i, begin, end) for every part [begin, end) of [0, n), `part` long but for the last, as
+/// parallelFor() does for every i.
+template <class Work>
+void parallelForParts(std::size_t n, int threads, const RunContext& context, std::size_t part, Work work) {
+  parallelFor((n + part - 1) / part, threads, context, 1,
+              [&](std::size_t i) { work(i, i * part, std::min(n, (i + 1) * part)); });
 }
 
 }  // namespace thicken
