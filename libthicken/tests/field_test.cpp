@@ -33,12 +33,6 @@ std::vector<GridIndex> allNodes(const UniformGrid& grid) {
   return nodes;
 }
 
-TriangleMesh flatSheet(VertexId columns, VertexId rows, double z) {
-  TriangleMesh mesh = shapes::sheet(columns, rows);
-  for (Vec3& p : mesh.positions) p.z() = z;
-  return mesh;
-}
-
 TEST(SurfaceCrossings, OfAClosedSurfaceCancelAlongEveryLine) {
   const TriangleMesh box = shapes::box({0, 0, 0}, {3, 2, 1});
   const UniformGrid grid = gridAround(box, 0.5, 0.23);
@@ -151,7 +145,8 @@ TEST(Membership, AnswersAsOneTreeOfTheCarrier) {
 TEST(Membership, SeesAnotherSheetsMaterialBeforeAPieceOfShell) {
   const double r = 1;
   for (const double gap : {1.5, 2.2}) {
-    TriangleMesh sheets = shapes::together(flatSheet(10, 8, 0), shapes::reversed(flatSheet(10, 8, -gap)));
+    TriangleMesh sheets =
+        shapes::together(shapes::flatSheet(10, 8, 0), shapes::reversed(shapes::flatSheet(10, 8, -gap)));
     TriangleMesh carrier = sheets;
     const auto first = static_cast<VertexId>(carrier.positions.size());
     for (const auto& [x, y] : {std::pair{3, 3}, {7, 3}, {5, 6}}) carrier.positions.emplace_back(x, y, -r);

@@ -28,6 +28,13 @@ inline TriangleMesh sheet(VertexId columns, VertexId rows) {
   return mesh;
 }
 
+/// A sheet() with all of it at one height.
+inline TriangleMesh flatSheet(VertexId columns, VertexId rows, double z) {
+  TriangleMesh mesh = sheet(columns, rows);
+  for (Vec3& p : mesh.positions) p.z() = z;
+  return mesh;
+}
+
 /// The solid between a sheet and its copy `depth` below: first the sheet, then the copy's triangles,
 /// then two wall triangles for each rim edge.
 inline TriangleMesh slab(const TriangleMesh& sheet, double depth) {

@@ -23,9 +23,7 @@ Options by(double thickness, double cell, int threads = 1) {
 }
 
 TriangleMesh flat(VertexId columns, VertexId rows) {
-  TriangleMesh mesh = shapes::sheet(columns, rows);
-  for (Vec3& p : mesh.positions) p.z() = 0;
-  return mesh;
+  return shapes::flatSheet(columns, rows, 0);
 }
 
 // thicken() throws unless its exact audit has passed, so that a return is a proof.

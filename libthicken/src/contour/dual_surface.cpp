@@ -88,20 +88,23 @@ class Builder {
   void numberVertices() {
     const std::vector<std::uint32_t> root = union_.roots(threads_);
     std::vector<std::uint32_t> first((root.size() + kPart - 1) / kPart + 1, 0);
-    forParts(root.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
-      for (std::size_t e = begin; e < end; ++e) first[part + 1] += root[e] == e;
-    });
+    parallelForParts(root.size(), threads_, RunContext(), kPart,
+                     [&](std::size_t part, std::size_t begin, std::size_t end) {
+                       for (std::size_t e = begin; e < end; ++e) first[part + 1] += root[e] == e;
+                     });
     std::partial_sum(first.begin(), first.end(), first.begin());
     out_.cell.resize(first.back());
     vertexOf_.resize(root.size());
-    forParts(root.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
-      VertexId v = first[part];
-      for (std::size_t e = begin; e < end; ++e) {
-        if (root[e] != e) continue;
-        if (e < 4 * std::size_t{crossingCount_}) out_.cell[v] = cellOf(static_cast<std::uint32_t>(e));
-        vertexOf_[e] = v++;
-      }
-    });
+    parallelForParts(root.size(), threads_, RunContext(), kPart,
+                     [&](std::size_t part, std::size_t begin, std::size_t end) {
+                       VertexId v = first[part];
+                       for (std::size_t e = begin; e < end; ++e) {
+                         if (root[e] != e) continue;
+                         if (e < 4 * std::size_t{crossingCount_})
+                           out_.cell[v] = cellOf(static_cast<std::uint32_t>(e));
+                         vertexOf_[e] = v++;
+                       }
+                     });
     parallelFor(root.size(), threads_, RunContext(), kPart, [&](std::size_t e) {
       if (root[e] != e) vertexOf_[e] = vertexOf_[root[e]];
     });
@@ -110,13 +113,6 @@ class Builder {
       for (const RimVisit& visit : way)
         out_.cell[vertexOf_[way.size() == 1 ? loneLoop(loop++) : sideOf(p++, false)]] = visit.cell;
     out_.onEdge.assign(out_.cell.size(), 0);
-  }
-
-  // Calls work(part, begin, end) for the parts of a range, on all threads.
-  template <class Work>
-  void forParts(std::size_t count, const Work& work) const {
-    parallelFor((count + kPart - 1) / kPart, threads_, RunContext(), 1,
-                [&](std::size_t part) { work(part, part * kPart, std::min(count, (part + 1) * kPart)); });
   }
 
   // The cell of a crossing's sector; all sectors of a component lie in one.

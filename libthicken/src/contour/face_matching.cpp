@@ -175,10 +175,10 @@ Matching matchFaces(const std::vector<Crossing>& crossings, const std::vector<Ri
   matching.arcs.resize(items.size() / 2);
   constexpr std::size_t kPart = 1 << 14;
   std::vector<std::vector<std::uint32_t>> together((items.size() + kPart - 1) / kPart);
-  parallelFor(together.size(), threads, RunContext(), 1, [&](std::size_t part) {
-    matchPart(places, items, part * kPart, std::min(items.size(), (part + 1) * kPart), matching,
-              together[part]);
-  });
+  parallelForParts(items.size(), threads, RunContext(), kPart,
+                   [&](std::size_t part, std::size_t begin, std::size_t end) {
+                     matchPart(places, items, begin, end, matching, together[part]);
+                   });
   for (const auto& part : together)
     matching.together.insert(matching.together.end(), part.begin(), part.end());
   return matching;

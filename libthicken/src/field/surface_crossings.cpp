@@ -18,11 +18,11 @@ bool before(const SurfaceCrossing& x, const SurfaceCrossing& y) {
 // Crossings of one grid edge with triangles.
 class EdgeProbe {
  public:
-  EdgeProbe(const UniformGrid& grid, std::uint64_t edge)
-      : edge_(edge), axis_(static_cast<int>(edge & 3)), end_(UniformGrid::indexOf(edge >> 2)) {
-    low = grid.node(end_);
-    ++end_[axis_];
-    high = grid.node(end_);
+  EdgeProbe(const UniformGrid& grid, std::uint64_t edge) : edge_(edge), axis_(static_cast<int>(edge & 3)) {
+    GridIndex end = UniformGrid::indexOf(edge >> 2);
+    low = grid.node(end);
+    ++end[axis_];
+    high = grid.node(end);
   }
 
   [[nodiscard]] std::optional<SurfaceCrossing> crossing(const Vec3& a, const Vec3& b, const Vec3& c) const {
@@ -61,7 +61,6 @@ class EdgeProbe {
 
   std::uint64_t edge_;
   int axis_;
-  GridIndex end_;
 };
 
 }  // namespace

@@ -42,8 +42,8 @@ std::vector<Vec3> vertexNormals(std::span<const Vec3> positions, std::span<const
     for (int k = 0; k < 3; ++k) angle[t][k] = cornerAngle(positions, triangles[t], k);
   });
   std::vector<Vec3> n(positions.size(), Vec3::Zero());
-  for (std::size_t t = 0; t < triangles.size();
-       ++t)  // in one order, so that sums do not depend on the threads
+  // In one order, so that sums do not depend on the threads.
+  for (std::size_t t = 0; t < triangles.size(); ++t)
     for (int k = 0; k < 3; ++k) n[triangles[t][k]] += angle[t][k] * faceNormal[t];
   parallelFor(n.size(), threads, RunContext(), kGrain, [&](std::size_t v) { n[v].stableNormalize(); });
   return n;

@@ -54,15 +54,14 @@ class Assembler {
 
   void addFaces() {
     constexpr std::size_t kPart = 1 << 12;
-    const std::size_t count = crossings_.size(), parts = (count + kPart - 1) / kPart;
-    const auto forPart = [&](std::size_t part, const auto& face) {
-      for (std::size_t c = part * kPart; c < std::min(count, (part + 1) * kPart); ++c)
-        face(static_cast<std::uint32_t>(c));
-    };
-    std::vector<Place> place(parts + 1);
-    parallelFor(parts, threads_, RunContext(), 1,
-                [&](std::size_t part) { forPart(part, [&](std::uint32_t c) { pass(c, place[part + 1]); }); });
-    for (std::size_t part = 0; part < parts; ++part) {
+    const std::size_t count = crossings_.size();
+    std::vector<Place> place((count + kPart - 1) / kPart + 1);
+    parallelForParts(count, threads_, RunContext(), kPart,
+                     [&](std::size_t part, std::size_t begin, std::size_t end) {
+                       for (std::size_t c = begin; c < end; ++c)
+                         pass(static_cast<std::uint32_t>(c), place[part + 1]);
+                     });
+    for (std::size_t part = 0; part + 1 < place.size(); ++part) {
       place[part + 1].middles += place[part].middles;
       place[part + 1].triangles += place[part].triangles;
     }
@@ -75,10 +74,11 @@ class Assembler {
     parallelFor(dual_.vertexCount, threads_, RunContext(), kPart, [&](std::size_t v) {
       out_.mesh.positions[out_.carrierVertices + v] = roundToFloat(dual_.start[v]);
     });
-    parallelFor(parts, threads_, RunContext(), 1, [&](std::size_t part) {
-      Place at = place[part];
-      forPart(part, [&](std::uint32_t c) { addFace(c, at); });
-    });
+    parallelForParts(count, threads_, RunContext(), kPart,
+                     [&](std::size_t part, std::size_t begin, std::size_t end) {
+                       Place at = place[part];
+                       for (std::size_t c = begin; c < end; ++c) addFace(static_cast<std::uint32_t>(c), at);
+                     });
   }
 
   // Moves `at` on by what the face of a crossing takes.

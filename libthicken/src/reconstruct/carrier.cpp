@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "reconstruct/carrier.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -9,6 +8,7 @@
 #include "measure/measure.h"
 #include "mesh/float_lattice.h"
 #include "mesh/half_edges.h"
+#include "mesh/normals.h"
 
 namespace thicken {
 
@@ -138,10 +138,7 @@ void trimSpikes(const TriangleMesh& swept, std::span<const Region> region, doubl
   constexpr double kSharp = 2;  // radians
   const auto around = vertexTriangles(swept.positions.size(), swept.triangles);
   const auto angleAt = [&](const Triangle& t, VertexId v) {
-    const int k = t[0] == v ? 0 : t[1] == v ? 1 : 2;
-    const Vec3 a = swept.positions[t[(k + 1) % 3]] - swept.positions[v];
-    const Vec3 b = swept.positions[t[(k + 2) % 3]] - swept.positions[v];
-    return std::atan2(a.cross(b).norm(), a.dot(b));
+    return cornerAngle(swept.positions, t, t[0] == v ? 0 : t[1] == v ? 1 : 2);
   };
   for (int round = 0; round < kRounds; ++round) {
     std::vector<TriangleId> spikes;

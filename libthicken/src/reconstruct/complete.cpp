@@ -101,8 +101,8 @@ bool yield(const SweepResult& swept, const exact::BoxTree& shell, const Assembly
 // that the carrier keeps.
 std::vector<double> depths(const TriangleMesh& surface, const ClosestPointTree& tree, double r,
                            const RunContext& context, int threads) {
-  const auto normal =
-      vertexNormals(surface.positions, surface.triangles, faceNormals(surface.positions, surface.triangles));
+  const auto normal = vertexNormals(surface.positions, surface.triangles,
+                                    faceNormals(surface.positions, surface.triangles, threads), threads);
   std::vector<double> depth(surface.positions.size(), r);
   constexpr int kSteps = 5;
   parallelFor(depth.size(), threads, context, 128, [&](std::size_t v) {

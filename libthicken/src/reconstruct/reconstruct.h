@@ -56,8 +56,9 @@ void requireRoomForField(const TriangleMesh& surface, double area, double r, dou
                                          const Options& options, const RunContext& context, int threads,
                                          Stopwatch& watch);
 
-/// Replaces what `swept` (of `surface` to its negative side) could not sweep to the whole thickness by the
-/// contour of the field. Nothing where there is no such place. Throws as reconstruct() does.
+/// Replaces the shell of `swept` (of `surface` to its negative side) by the contour of the field where it is
+/// not at the thickness: all of it, or its worst places where that would take too many cells. Nothing where
+/// there is no such place. Throws as reconstruct() does.
 [[nodiscard]] std::optional<Reconstruction> deepen(const TriangleMesh& surface, const ClosestPointTree& tree,
                                                    const SweepResult& swept, const Options& options,
                                                    const RunContext& context, int threads, Stopwatch& watch);
