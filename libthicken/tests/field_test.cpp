@@ -162,6 +162,33 @@ TEST(Membership, SeesAnotherSheetsMaterialBeforeAPieceOfShell) {
   }
 }
 
+// A piece of shell that is far from the thickness ends the material of the sheet that it belongs to all the
+// same: no second layer begins before it, nor a void behind it.
+TEST(Membership, EndsMaterialAtAPieceOfItsOwnShellHoweverDeep) {
+  const double r = 1;
+  const TriangleMesh sheet = shapes::flatSheet(10, 8, 0);
+  const ClosestPointTree tree(sheet);
+  for (const double depth : {0.4, 1.5}) {
+    TriangleMesh carrier = sheet;
+    const auto first = static_cast<VertexId>(carrier.positions.size());
+    for (const auto& [x, y] : {std::pair{3, 3}, {7, 3}, {5, 6}}) carrier.positions.emplace_back(x, y, -depth);
+    carrier.triangles.push_back({first, first + 2, first + 1});
+    std::vector<Region> regions(carrier.triangles.size(), Region::kOriginal);
+    regions.back() = Region::kShell;
+    const auto standing = [&](double z, std::span<const std::uint8_t> covered) {
+      return Membership(carrier, tree, sheet.triangles.size(), r, regions, covered)
+          .probe({5.1, 4.2, z})
+          .standing;
+    };
+    const std::vector<std::uint8_t> all(sheet.triangles.size(), 1);
+    EXPECT_EQ(standing(-depth + 0.05, all), Standing::kInside);
+    EXPECT_EQ(standing(-depth - 0.05, all), Standing::kFar);
+    // Another sheet's piece ends nothing of this one's.
+    EXPECT_EQ(standing(-depth + 0.05, {}), depth < r ? Standing::kInside : Standing::kFar);
+    EXPECT_EQ(standing(-depth - 0.05, {}), depth < r ? Standing::kInside : Standing::kFar);
+  }
+}
+
 // What is forgotten is at least what changes.
 TEST(NodeField, ForgetsWhatATriangleMayHaveChanged) {
   const TriangleMesh sheet = shapes::sheet(10, 8);
@@ -178,7 +205,7 @@ TEST(NodeField, ForgetsWhatATriangleMayHaveChanged) {
   for (const GridIndex& n : allNodes(grid)) (void)field.want(UniformGrid::key(n));
   field.evaluate(before, {}, 2);
   TriangleMesh added{more.positions, {more.triangles.back()}};
-  field.forget(ClosestPointTree(added), {}, 2);
+  field.forget(ClosestPointTree(added), {}, {}, 2);
   std::size_t forgotten = 0, changed = 0;
   std::uint32_t number = 0;
   for (const GridIndex& n : allNodes(grid)) {
@@ -193,6 +220,24 @@ TEST(NodeField, ForgetsWhatATriangleMayHaveChanged) {
   }
   EXPECT_GT(changed, 0u);
   EXPECT_LT(forgotten, field.size() / 4);
+}
+
+TEST(NodeField, ForgetsWhatIsNextToAMarkedTriangle) {
+  const TriangleMesh sheet = shapes::sheet(10, 8);
+  const ClosestPointTree tree(sheet), farAway(shapes::flatSheet(1, 1, 100));
+  const UniformGrid grid = gridAround(sheet, 1.5, 0.3);
+  NodeField field(grid);
+  for (const GridIndex& n : allNodes(grid)) (void)field.want(UniformGrid::key(n));
+  field.evaluate(Membership(sheet, tree, sheet.triangles.size(), 1), {}, 2);
+  std::vector<std::uint8_t> marked(sheet.triangles.size(), 0);
+  marked[7] = 1;
+  field.forget(farAway, marked, {}, 2);
+  std::size_t forgotten = 0;
+  for (std::uint32_t i = 0; i < field.size(); ++i) {
+    EXPECT_EQ(field[i].state == NodeField::State::kUnknown, field[i].closest == 7);
+    forgotten += field[i].closest == 7;
+  }
+  EXPECT_GT(forgotten, 0u);
 }
 
 // Followed from the rim, an open sheet's contour is all that a search of the whole grid finds.

@@ -50,8 +50,9 @@ TriangleMesh beyondSurface(const TriangleMesh& carrier, std::size_t from, std::s
 
 Membership::Membership(const TriangleMesh& carrier, const ClosestPointTree& surface,
                        std::size_t surfaceTriangles, double thickness, std::span<const Region> region,
-                       int threads)
+                       std::span<const std::uint8_t> covered, int threads)
     : surface_(surface),
+      covered_(covered),
       beyond_(beyondSurface(carrier, surfaceTriangles, atRim_), threads),
       thickness_(thickness) {
   if (!region.empty())
@@ -62,12 +63,16 @@ bool Membership::isShell(TriangleId beyond) const {
   return !region_.empty() && beyond >= atRim_ && region_[beyond - atRim_] == Region::kShell;
 }
 
+bool Membership::isCovered(TriangleId onSurface) const {
+  return !covered_.empty() && covered_[onSurface] != 0;
+}
+
 // Before a wall is the cross-section. Before a piece of shell nothing is behind the sheet that it belongs to,
-// but another sheet may be so near that this is in its material.
+// but another sheet may be so near that this is in its material, if that does not end at a piece of its own.
 Standing Membership::beforeCarrier(const Vec3& p, const ClosestPoint& onSurface, TriangleId beyond) const {
   if (!isShell(beyond)) return Standing::kRim;
-  const bool inside =
-      !onSurface.onRim && onSurface.distance < (1 - kOff) * thickness_ && behind(p, onSurface);
+  const bool inside = !onSurface.onRim && !isCovered(onSurface.triangle) &&
+                      onSurface.distance < (1 - kOff) * thickness_ && behind(p, onSurface);
   return inside ? Standing::kInside : Standing::kFar;
 }
 
@@ -94,7 +99,8 @@ Probe Membership::probe(const Vec3& p) const {
   else if (!behind(p, onCarrier))
     result.standing = onSurface ? Standing::kFront : beforeCarrier(p, c, onCarrier.triangle);
   else if (!onSurface && isShell(onCarrier.triangle))
-    result.standing = c.distance > (1 + kOff) * thickness_ ? Standing::kFar : Standing::kInside;
+    result.standing =
+        c.distance > (1 + kOff) * thickness_ && !isCovered(c.triangle) ? Standing::kFar : Standing::kInside;
   else
     result.standing = far ? Standing::kFar : Standing::kInside;
   return result;

@@ -35,10 +35,13 @@ struct Probe {
 class Membership {
  public:
   /// The first `surfaceTriangles` triangles of the carrier are those of the surface, in its order. `surface`
-  /// is their tree; it must outlive this. Only what the carrier has beyond them gets a tree of its own.
-  /// `region` per triangle of the carrier tells pieces of shell; empty: there are none.
+  /// is their tree; it must outlive this, as must `covered`. Only what the carrier has beyond them gets a
+  /// tree of its own. `region` per triangle of the carrier tells pieces of shell; empty: there are none.
+  /// `covered` per triangle of the surface: 1 where such a piece ends its material, however deep; empty:
+  /// nowhere.
   Membership(const TriangleMesh& carrier, const ClosestPointTree& surface, std::size_t surfaceTriangles,
-             double thickness, std::span<const Region> region = {}, int threads = 1);
+             double thickness, std::span<const Region> region = {},
+             std::span<const std::uint8_t> covered = {}, int threads = 1);
 
   [[nodiscard]] Probe probe(const Vec3& p) const;
   [[nodiscard]] double thickness() const { return thickness_; }
@@ -46,11 +49,13 @@ class Membership {
 
  private:
   [[nodiscard]] bool isShell(TriangleId beyond) const;
+  [[nodiscard]] bool isCovered(TriangleId onSurface) const;
   [[nodiscard]] Standing beforeCarrier(const Vec3& p, const ClosestPoint& onSurface, TriangleId beyond) const;
 
   const ClosestPointTree& surface_;
   std::size_t atRim_ = 0;       ///< so many triangles of beyond_ are S's
   std::vector<Region> region_;  ///< of the others; empty: no shell
+  std::span<const std::uint8_t> covered_;
   ClosestPointTree beyond_;
   double thickness_;
 };

@@ -22,11 +22,13 @@ void NodeField::evaluate(const Membership& membership, const RunContext& context
   parallelFor(nodes.size(), threads, context, 64, [&](std::size_t i) { evaluate(nodes[i], membership); });
 }
 
-void NodeField::forget(const ClosestPointTree& changed, const RunContext& context, int threads) {
+void NodeField::forget(const ClosestPointTree& changed, std::span<const std::uint8_t> marked,
+                       const RunContext& context, int threads) {
   parallelFor(samples_.size(), threads, context, 256, [&](std::size_t i) {
     Sample& s = samples_[i];
-    if (s.state == State::kUnknown ||
-        !changed.closest(grid_.node(UniformGrid::indexOf(index_.keys()[i])), s.carrierDistance))
+    if (s.state == State::kUnknown) return;
+    const bool isMarked = !marked.empty() && marked[s.closest] != 0;
+    if (!isMarked && !changed.closest(grid_.node(UniformGrid::indexOf(index_.keys()[i])), s.carrierDistance))
       return;
     s.state = State::kUnknown;
     asked_[i] = 0;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -79,8 +80,10 @@ class NodeField {
   /// Evaluates all nodes that are wanted.
   void evaluate(const Membership& membership, const RunContext& context, int threads);
 
-  /// Forgets the samples that `changed` may have changed: triangles that Ŝ has won or lost.
-  void forget(const ClosestPointTree& changed, const RunContext& context, int threads);
+  /// Forgets the samples that `changed` may have changed: triangles that Ŝ has won or lost; and those whose
+  /// closest triangle of S is marked, unless there are no marks.
+  void forget(const ClosestPointTree& changed, std::span<const std::uint8_t> marked,
+              const RunContext& context, int threads);
 
  private:
   UniformGrid grid_;

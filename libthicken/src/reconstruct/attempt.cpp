@@ -7,6 +7,7 @@
 #include "measure/stopwatch.h"
 #include "mesh/half_edges.h"
 #include "mesh/sort_unique.h"
+#include "reconstruct/covered.h"
 #include "reconstruct/diagonals.h"
 #include "reconstruct/loose_parts.h"
 #include "reconstruct/shape.h"
@@ -36,10 +37,11 @@ Attempt::Attempt(const TriangleMesh& surface, const ClosestPointTree& tree, cons
 
 std::vector<TriangleId> Attempt::run(std::span<const std::uint8_t> keep, Stopwatch& watch) {
   walls_.fit(keep);
-  const Carrier carrier =
+  Carrier carrier =
       makeCarrier(swept_, walls_.positions(), walls_.up(), surface_.triangles.size(), keep, width_, threads_);
+  carrier.covered = coveredTriangles(surface_, swept_, keep);
   const Membership membership(carrier.mesh, tree_, surface_.triangles.size(), options_.thickness,
-                              carrier.region, threads_);
+                              carrier.region, carrier.covered, threads_);
   watch.lap("sweep");
   Contour contour = contourer_.contour(carrier, membership, openShell(keep), watch);
   assembly_ = assemble(carrier, contour.dual, contour.crossings, contour.ways, threads_);

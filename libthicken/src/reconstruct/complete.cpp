@@ -124,11 +124,13 @@ Reconstruction finish(const Assembly& assembly, const TriangleMesh& surface, con
                       std::span<const std::uint8_t> keep, std::vector<double> depth) {
   Reconstruction result;
   result.depth = std::move(depth);
-  const std::size_t s = surface.triangles.size();
-  for (std::size_t t = s; t < keep.size(); ++t)
-    if (keep[t] && t < 2 * s && swept.region[t] == Region::kShell)
-      for (const VertexId v : surface.triangles[t - s])
-        result.depth[v] = std::min(result.depth[v], swept.depth[v]);
+  for (std::size_t t = surface.triangles.size(); t < keep.size(); ++t) {
+    if (!keep[t] || swept.region[t] != Region::kShell) continue;
+    for (const VertexId v : swept.mesh.triangles[t]) {
+      double& at = result.depth[swept.base[v]];
+      at = std::min(at, swept.distance[v]);
+    }
+  }
   std::vector<VertexId> to(assembly.mesh.positions.size(), kNone);
   for (VertexId v = 0; v < surface.positions.size(); ++v) to[v] = v;
   result.mesh.positions = surface.positions;

@@ -81,6 +81,7 @@ void Contourer::startGrid() {
   onSurface_.emplace(grid_, surface_.positions, surface_.triangles, threads_);
   field_.emplace(grid_);
   beyondSurface_.clear();
+  covered_.clear();
   changed_.reset();
   last_.clear();
 }
@@ -96,7 +97,7 @@ Contour Contourer::attempt(const Carrier& carrier, const Membership& membership,
   std::vector<Corners> corners(beyond.size());
   for (std::size_t t = 0; t < beyond.size(); ++t)
     for (int k = 0; k < 3; ++k) corners[t][k] = carrier.mesh.positions[beyond[t][k]];
-  forgetChanges(std::move(corners));
+  forgetChanges(std::move(corners), carrier.covered);
   made.crossings =
       followContour(grid_, rimCells(made.ways), seeds, crossed, membership, *field_, context_, threads_);
   watch.lap("field");
@@ -114,16 +115,20 @@ void Contourer::remember(std::vector<Crossing> crossings) {
 }
 
 // Before the first carrier there is nothing to forget.
-void Contourer::forgetChanges(std::vector<Corners> beyondSurface) {
+void Contourer::forgetChanges(std::vector<Corners> beyondSurface, std::span<const std::uint8_t> covered) {
   std::sort(beyondSurface.begin(), beyondSurface.end(), before);
   std::vector<Corners> changes;
   std::set_symmetric_difference(beyondSurface.begin(), beyondSurface.end(), beyondSurface_.begin(),
                                 beyondSurface_.end(), std::back_inserter(changes), before);
   beyondSurface_ = std::move(beyondSurface);
+  std::vector<std::uint8_t> marked(surface_.triangles.size(), 0);
+  for (std::size_t t = 0; t < marked.size(); ++t)
+    marked[t] = (covered_.empty() ? 0 : covered_[t]) != (covered.empty() ? 0 : covered[t]);
+  covered_.assign(covered.begin(), covered.end());
   changed_.reset();
   if (changes.empty() || field_->size() == 0) return;
   changed_.emplace(meshOf(changes));
-  field_->forget(*changed_, context_, threads_);
+  field_->forget(*changed_, marked, context_, threads_);
 }
 
 // Takes over where crossings lie that the changes are too far from to have moved.

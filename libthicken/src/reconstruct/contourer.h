@@ -48,7 +48,7 @@ class Contourer {
   void startGrid();
   [[nodiscard]] Contour attempt(const Carrier& carrier, const Membership& membership, const Seeds& seeds,
                                 Stopwatch& watch);
-  void forgetChanges(std::vector<Corners> beyondSurface);
+  void forgetChanges(std::vector<Corners> beyondSurface, std::span<const std::uint8_t> covered);
   void recall(std::vector<Crossing>& crossings) const;
 
   const TriangleMesh& surface_;
@@ -60,6 +60,7 @@ class Contourer {
   std::optional<SurfaceCrossings> onSurface_;
   std::optional<NodeField> field_;
   std::vector<Corners> beyondSurface_;  ///< triangles of the last carrier that are not S's, sorted
+  std::vector<std::uint8_t> covered_;   ///< triangles of S, in the last carrier
   std::optional<ClosestPointTree> changed_;
   std::vector<Crossing> last_;
 };

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Which triangles of S the carrier already has shell for.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sweep/sweep.h"
+
+namespace thicken {
+
+/// Per triangle of `surface`: 1 where its copy is among the triangles of `swept` that `keep` marks; where the
+/// sweep has none, 1 where all shell around it is kept. Empty where no shell is kept.
+[[nodiscard]] std::vector<std::uint8_t> coveredTriangles(const TriangleMesh& surface,
+                                                         const SweepResult& swept,
+                                                         std::span<const std::uint8_t> keep);
+
+}  // namespace thicken
