@@ -63,23 +63,32 @@ void separateFans(const SweepResult& swept, std::vector<std::uint8_t>& keep) {
   closeFans(swept.mesh, keep);
 }
 
+// Area of the sweep's shell that is left to the contour, mm².
+double openArea(const SweepResult& swept, std::span<const std::uint8_t> keep) {
+  double area = 0;
+  for (std::size_t t = 0; t < keep.size(); ++t)
+    if (!keep[t]) area += areaOf(swept.mesh.positions, swept.mesh.triangles[t]);
+  return area;
+}
+
 // Gives pieces of the sweep's shell near the triangles that meet over to the contour, with all that its own
 // rim would pinch. Returns whether there were any; each is given over once, and large ones, of a great many
-// cells, not at all.
+// cells, not at all, nor what would leave more than `mostOpen` mm² to the contour.
 bool yield(const SweepResult& swept, const exact::BoxTree& shell, const Assembly& assembly,
-           std::span<const TriangleId> meeting, double reach, double width,
+           std::span<const TriangleId> meeting, double reach, double width, double mostOpen,
            std::vector<std::uint8_t>& yielded, std::vector<std::uint8_t>& keep) {
-  bool any = false;
+  const std::vector<std::uint8_t> before = keep;
   for (const TriangleId t : meeting)
     for (const TriangleId s : shellNear(shell, assembly.mesh, t, reach)) {
       if (yielded[s]) continue;
       yielded[s] = 1;
       if (areaOf(swept.mesh.positions, swept.mesh.triangles[s]) > kLargestGiven * width * width) continue;
-      any |= keep[s] != 0;
       keep[s] = 0;
     }
-  if (any) separateFans(swept, keep);
-  return any;
+  if (keep == before) return false;
+  separateFans(swept, keep);
+  if (openArea(swept, keep) > mostOpen) keep = before;
+  return keep != before;
 }
 
 [[noreturn]] void refuse(const Assembly& assembly, std::span<const TriangleId> meeting) {
@@ -167,6 +176,7 @@ std::optional<Reconstruction> complete(const TriangleMesh& surface, const Closes
   // Walls that were proved alone have none to separate.
   if (anyShell || swept.shellProved) separateFans(swept, keep);
   const exact::BoxTree shell(swept.mesh.positions, swept.mesh.triangles, threads, isShell);
+  const double mostOpen = std::max(openArea(swept, keep), kManyBesideSweep * width * width);
   Attempt attempt(surface, tree, swept, options, width, context, threads);
   int refinements = 0, yields = 0;
   std::vector<std::uint8_t> yielded(keep.size(), 0);
@@ -187,7 +197,7 @@ std::optional<Reconstruction> complete(const TriangleMesh& surface, const Closes
     const bool lifted = !tired && attempt.liftWalls(meeting);
     const double nearby = width * kFirstReach * std::pow(kReachGrowth, static_cast<double>(yields));
     if (!tired && refinements == 0 && yields++ < kMostYields &&
-        yield(swept, shell, attempt.assembly(), meeting, nearby, width, yielded, keep))
+        yield(swept, shell, attempt.assembly(), meeting, nearby, width, mostOpen, yielded, keep))
       continue;
     if (lifted) continue;
     if (!task.mayKeepShell) return std::nullopt;

@@ -152,8 +152,10 @@ bool DeepWalls::lift(std::span<const VertexId> vertices, double step) {
   }
   if (!any) return false;
   limitSlope();
+  // The walls of kept pieces of shell stay with them.
+  const std::vector<Vec3> before = at_;
   placeAll();
-  return true;
+  return at_ != before;
 }
 
 void DeepWalls::fit(std::span<const std::uint8_t> keep) {

@@ -120,10 +120,14 @@ ShellPlan planShell(const TriangleMesh& surface, const SweepResult& swept, const
   // Wider cells are no better than a sweep that is off by as much.
   const double error = contourError(plan.width, r);
   if (error > finest) plan = planFor(surface, swept, errors, error * r, options);
-  // A thickness far below the extent of the surface would take any number of cells.
-  for (double area = std::min(plan.area, kManyBesideSweep * plan.width * plan.width);
-       cellsOf(swept.mesh, plan) > kManyBesideSweep; area /= 2)
+  // A thickness far below the extent of the surface would take any number of cells. The widest ones go
+  // farthest.
+  const double width = plan.width;
+  for (double area = std::min(plan.area, kManyBesideSweep * width * width);
+       cellsOf(swept.mesh, plan) > kManyBesideSweep; area /= 2) {
     plan = planFor(surface, swept, errors, affordableError(swept.mesh, errors, area), options);
+    plan.width = width;
+  }
   return plan;
 }
 
