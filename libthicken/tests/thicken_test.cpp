@@ -10,6 +10,7 @@
 
 #include "analytic_surfaces.h"
 #include "check/audit.h"
+#include "measure/measure.h"
 #include "mesh/float_lattice.h"
 #include "mesh/topology.h"
 #include "plain_shapes.h"
@@ -205,6 +206,21 @@ TEST(Thicken, LeavesLargeTrianglesAtASharpFoldToTheSweep) {
   EXPECT_TRUE(solid.report.audit.passed());
   EXPECT_EQ(solid.report.method, Method::kSweep);
   EXPECT_LT(solid.report.triangles, 100u);
+}
+
+// Below a sharp ridge a mitre cut short would tilt the triangles on both sides of it, all the way down.
+TEST(Thicken, KeepsTheThicknessBesideASharpRidge) {
+  const double slope = 2.8, r = 0.02;
+  const TriangleMesh roof =
+      parametric(8, 8, [=](double u, double v) { return Vec3(4 * v, 4 * u, -slope * std::abs(4 * u - 2)); });
+  for (const Side side : {Side::kNegative, Side::kPositive}) {
+    Options o = by(r, side);
+    o.method = Method::kSweep;
+    const Solid solid = thicken(roof, o);
+    expectPromise(solid, roof, side);
+    // The edge of a wall beside the ridge has the mitre inside of S, or lacks it outside.
+    EXPECT_NEAR(solid.report.volume, r * areaOf(roof), 0.02 * r * areaOf(roof));
+  }
 }
 
 TEST(Thicken, PassesOverFoldsThatLieFlat) {

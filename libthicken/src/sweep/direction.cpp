@@ -3,6 +3,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -13,8 +14,9 @@ namespace {
 
 // Below this smallest n·m/|m| the even direction gives way to the safest one.
 constexpr double kSafeCosine = 0.35;
-// A mitre longer than this would leave the definition by more than it gains.
-constexpr double kLongestMitre = 1.5;
+// A mitre longer than the first is taken where that leaves the definition by less; never one longer than the
+// second.
+constexpr double kLongMitre = 1.5, kLongestMitre = 4;
 // Pull towards the mean normal, against the noise of nearly flat fans.
 constexpr double kDamping = 0.01;
 constexpr double kRimWeight = 0.5;
@@ -90,7 +92,8 @@ bool holdsOrigin(const std::array<Vec3, 4>& s) {
 // Least squares over Σ area·(n·m − 1)² + the rim planes' Σ (c·m)², damped towards the mean normal.
 class EvenDirection {
  public:
-  void addFace(const Vec3& n, double area) {
+  void addFace(const Vec3& n, double area, double altitude) {
+    altitude_ += area * altitude;
     a_ += area * n * n.transpose();
     b_ += area * n;
     weight_ += area;
@@ -98,6 +101,14 @@ class EvenDirection {
   void addRim(const Vec3& conormal) {
     rim_ += conormal * conormal.transpose();
     conormals_[std::min(conormalCount_++, 1)] = conormal;
+  }
+  /// How long a mitre of so many thicknesses may be: at its tip there is too much, but a shorter one tilts
+  /// the triangles around it as far as they reach.
+  [[nodiscard]] double longestMitre(double mitre, double thickness) const {
+    if (mitre <= kLongMitre) return kLongMitre;
+    const double excess = std::sqrt(mitre * mitre - 1) - std::acos(1 / mitre);  // in r², of a cross-section
+    const double missing = (1 - kLongMitre / mitre) * altitude_ / weight_ / thickness;
+    return missing < excess ? kLongMitre : kLongestMitre;
   }
   [[nodiscard]] Vec3 solve() const {
     const Vec3 mean = b_.stableNormalized();
@@ -124,7 +135,7 @@ class EvenDirection {
   Eigen::Matrix3d a_ = Eigen::Matrix3d::Zero();
   Eigen::Matrix3d rim_ = Eigen::Matrix3d::Zero();
   Vec3 b_ = Vec3::Zero();
-  double weight_ = 0;
+  double weight_ = 0, altitude_ = 0;
 };
 
 }  // namespace
@@ -150,14 +161,15 @@ Vec3 minNormPoint(std::span<const Vec3> points) {
 }
 
 std::vector<SweepDirection> sweepDirections(const TriangleMesh& surface, std::span<const Vec3> faceNormal,
-                                            const VertexTriangles& around, const Rim& rim) {
+                                            const VertexTriangles& around, const Rim& rim, double thickness) {
   const std::size_t n = surface.positions.size();
   std::vector<EvenDirection> even(n);
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     const auto& [a, b, c] = surface.triangles[t];
     const Vec3 &p = surface.positions[a], &q = surface.positions[b], &r = surface.positions[c];
     const double area = (q - p).cross(r - p).norm();
-    for (const VertexId v : surface.triangles[t]) even[v].addFace(faceNormal[t], area);
+    const double longest = std::max({(q - p).norm(), (r - q).norm(), (p - r).norm()});
+    for (const VertexId v : surface.triangles[t]) even[v].addFace(faceNormal[t], area, area / longest);
   }
   for (const RimEdge& e : rim.edges) {
     const Vec3 along = (surface.positions[e.to] - surface.positions[e.from]).stableNormalized();
@@ -184,7 +196,7 @@ std::vector<SweepDirection> sweepDirections(const TriangleMesh& surface, std::sp
         safety = 0;
       }
     }
-    if (m.norm() > kLongestMitre) m *= kLongestMitre / m.norm();
+    if (const double most = even[v].longestMitre(m.norm(), thickness); m.norm() > most) m *= most / m.norm();
     direction[v] = {m, safety};
   }
   return direction;

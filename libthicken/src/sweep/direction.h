@@ -22,10 +22,11 @@ struct SweepDirection {
 /// Least safety of a copy that a float can keep behind all its triangles.
 inline constexpr double kLeastSafety = 0.05;
 
-/// One direction for every vertex of `surface` that a triangle uses.
+/// One direction for every vertex of `surface` that a triangle uses; `thickness` in mm.
 [[nodiscard]] std::vector<SweepDirection> sweepDirections(const TriangleMesh& surface,
                                                           std::span<const Vec3> faceNormal,
-                                                          const VertexTriangles& around, const Rim& rim);
+                                                          const VertexTriangles& around, const Rim& rim,
+                                                          double thickness);
 
 /// Point of least norm in the convex hull of `points`; zero when the hull holds the origin.
 [[nodiscard]] Vec3 minNormPoint(std::span<const Vec3> points);

@@ -218,7 +218,7 @@ SweepResult sweep(const TriangleMesh& surface, const ClosestPointTree& tree, dou
   const auto normal = faceNormals(surface.positions, surface.triangles);
   const auto around = vertexTriangles(surface.positions.size(), surface.triangles);
   const Rim rim = rimOf(surface.positions.size(), surface.triangles);
-  const auto direction = sweepDirections(surface, normal, around, rim);
+  const auto direction = sweepDirections(surface, normal, around, rim, thickness);
   SweptMesh mesh = sweepMesh(surface, direction, rim, thickness, side);
   markBlockedRimCopies(mesh, around, rim);
   mergeFolds(mesh, around, copiesWithoutDirection(mesh));

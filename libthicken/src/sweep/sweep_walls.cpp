@@ -59,8 +59,8 @@ std::optional<SweepResult> sweepWalls(const TriangleMesh& surface, const Closest
   const auto normal = faceNormals(surface.positions, surface.triangles);
   const auto around = vertexTriangles(surface.positions.size(), surface.triangles);
   const Rim rim = rimOf(surface.positions.size(), surface.triangles);
-  SweptMesh whole =
-      sweepMesh(surface, sweepDirections(surface, normal, around, rim), rim, thickness, Side::kNegative);
+  SweptMesh whole = sweepMesh(surface, sweepDirections(surface, normal, around, rim, thickness), rim,
+                              thickness, Side::kNegative);
   markBlockedRimCopies(whole, around, rim);
   SweptMesh walls = wallsOf(whole);
   for (const Copy& c : walls.copies)
