@@ -68,7 +68,7 @@ double cellWidth(const TriangleMesh& surface, double area, const Options& option
   const double usual = r / 6;
   const double finest =
       options.tolerance ? std::clamp(std::sqrt(3 * *options.tolerance * r), r / 20, usual) : usual;
-  const double byArea = std::sqrt(area / mostCells) * finest / usual;
+  const double byArea = std::sqrt(area / mostCells) * (finest / usual);
   return std::clamp(byArea, finest, r / 2.2);
 }
 
