@@ -144,6 +144,7 @@ std::string toJson(const Report& report) {
   json["surface_deviation_mm"] = report.surfaceDeviation;
   json["shell_error"] = errorFacts(report.shellError);
   json["shell_error_full_depth"] = errorFacts(report.shellErrorFullDepth);
+  if (report.shellErrorBound) json["shell_error_bound_mm"] = *report.shellErrorBound;
   json["thinnest_wall"] = thinnestWall(report);
   json["thin_share"] = report.thinShare;
   json["audit"] = verdicts(report.audit);

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 #include <utility>
 
 #include "check/audit.h"
+#include "measure/error_bound.h"
 #include "measure/measure.h"
 #include "measure/stopwatch.h"
 #include "mesh/float_lattice.h"
@@ -76,16 +78,18 @@ void proveOrThrow(Solid& solid, const TriangleMesh& surface, Side side, const Ru
   throw Error(ErrorCode::kNoSolid, "no valid solid was found: " + why, std::move(proof.defects));
 }
 
-void requireTolerance(const Solid& solid, const Options& options) {
-  if (!options.tolerance) return;
-  const double worst = solid.report.shellError.max * options.thickness;
-  if (worst <= *options.tolerance) return;
-  throw Error(
-      ErrorCode::kNoSolid,
-      fmt::format(
-          "the shell is up to {:.4g} mm from its definition, which is more than the tolerance of {:.4g} mm; "
-          "ask for a larger tolerance or a smaller thickness",
-          worst, *options.tolerance));
+[[noreturn]] void refuseTolerance(const ErrorBound& bound, double tolerance) {
+  Defect d;
+  d.code = ErrorCode::kNoSolid;
+  d.count = 1;
+  d.place = bound.place;
+  d.sentence = fmt::format(
+      "the shell is up to {:.4g} mm from its definition near ({:.6g}, {:.6g}, {:.6g}), which is more than "
+      "the "
+      "tolerance of {:.4g} mm; ask for a larger tolerance or a smaller thickness",
+      bound.most, d.place.x(), d.place.y(), d.place.z(), tolerance);
+  const std::string sentence = d.sentence;
+  throw Error(ErrorCode::kNoSolid, sentence, {std::move(d)});
 }
 
 void addRepairWarning(Report& report) {
@@ -197,13 +201,11 @@ Solid provedOf(std::optional<Solid> better, std::optional<Solid> swept, const Tr
   return std::move(*swept);
 }
 
-// The solid of a valid surface, proved and measured.
-Solid solidOf(const TriangleMesh& surface, const SurfaceFacts& input, const Options& options,
-              RunContext context, int threads, Stopwatch& watch) {
+// A solid of a valid surface, proved and measured.
+Solid provedSolid(const TriangleMesh& surface, const TriangleMesh& oriented, const ClosestPointTree& tree,
+                  const SurfaceFacts& input, const Options& options, RunContext context, int threads,
+                  Stopwatch& watch) {
   context.enter(Stage::kSweeping, kChecked, kSwept);
-  const TriangleMesh oriented = orientedFor(options.side, surface);
-  const ClosestPointTree tree(oriented, threads);
-  watch.lap("tree");
   std::optional<Solid> better, swept;
   if (options.method == Method::kReconstruct) {
     better = reconstructedSolid(reconstruct(oriented, tree, options, context, threads, watch),
@@ -224,9 +226,56 @@ Solid solidOf(const TriangleMesh& surface, const SurfaceFacts& input, const Opti
   context.enter(Stage::kMeasuring, kAudited, 1);
   measure(solid, oriented, tree, options.tolerance ? Measure::kAll : Measure::kRepresentative, context,
           threads);
-  requireTolerance(solid, options);
   watch.lap("measure");
   return solid;
+}
+
+// Cells are chosen for the error that they have nearly everywhere. Where a crease is off by more, cells for a
+// smaller error are tried: each time for a third, until the shell is proved to be within what was asked for.
+// At creases errors go with the width of the cells, so that what is far off is not tried again.
+Solid solidWithin(double tolerance, const std::function<Solid(double planned)>& make,
+                  const std::function<ErrorBound(const Solid&)>& prove, int attempts) {
+  constexpr double kFiner = 1.0 / 3, kHopeless = 3;
+  std::optional<ErrorBound> least;
+  double planned = tolerance;
+  for (int i = 0; i < attempts; ++i, planned *= kFiner) {
+    try {
+      Solid solid = make(planned);
+      const ErrorBound bound = prove(solid);
+      solid.report.shellErrorBound = bound.most;
+      if (bound.most <= tolerance) return solid;
+      if (!least || bound.most < least->most) least = bound;
+      if (bound.most > kHopeless * tolerance) break;
+    } catch (const Error& e) {
+      if (!least || !leavesTheSweep(e)) throw;
+    }
+  }
+  refuseTolerance(*least, tolerance);
+}
+
+// The solid of a valid surface.
+Solid solidOf(const TriangleMesh& surface, const SurfaceFacts& input, const Options& options,
+              const RunContext& context, int threads, Stopwatch& watch) {
+  constexpr int kMostAttempts = 3;
+  const TriangleMesh oriented = orientedFor(options.side, surface);
+  const ClosestPointTree tree(oriented, threads);
+  watch.lap("tree");
+  if (!options.tolerance)
+    return provedSolid(surface, oriented, tree, input, options, context, threads, watch);
+  const auto make = [&](double planned) {
+    Options finer = options;
+    finer.tolerance = planned;
+    return provedSolid(surface, oriented, tree, input, finer, context, threads, watch);
+  };
+  const auto prove = [&](const Solid& solid) {
+    const ErrorBound bound = boundShellError(solid.mesh, solid.region, tree, options.thickness, options.side,
+                                             *options.tolerance, context, threads);
+    watch.lap("tolerance");
+    return bound;
+  };
+  // A sweep has no cells.
+  const bool contoured = options.method != Method::kSweep && options.side != Side::kBoth;
+  return solidWithin(*options.tolerance, make, prove, contoured ? kMostAttempts : 1);
 }
 
 // The vertices that a failed run names as those without room; none for other failures.

@@ -38,6 +38,7 @@ Report sampleReport() {
   report.volume = 2500;
   report.shellError = {0.01, 0.02, 0.04};
   report.shellErrorFullDepth = {0.001, 0.002, 0.004};
+  report.shellErrorBound = 0.005;
   report.thinnestWall = 1.5;
   report.thinnestPlace = Vec3(1, 2, 3);
   report.thinShare = 0.125;
@@ -97,12 +98,19 @@ TEST(Report, HoldsTheFactsUnderTheirNames) {
   EXPECT_EQ(report["surface_deviation_mm"], 0);
   EXPECT_EQ(report["shell_error"]["p99"], 0.02);
   EXPECT_EQ(report["shell_error_full_depth"]["max"], 0.004);
+  EXPECT_EQ(report["shell_error_bound_mm"], 0.005);
   EXPECT_EQ(report["thinnest_wall"]["share_of_thickness"], 0.75);
   EXPECT_EQ(report["thinnest_wall"]["place_mm"], json({1, 2, 3}));
   EXPECT_EQ(report["thin_share"], 0.125);
   EXPECT_EQ(report["audit"]["closed"], true);
   EXPECT_EQ(report["audit"]["passed"], false) << "only one of the clauses was set";
   EXPECT_EQ(report["warnings"], json({"the solid is thin"}));
+}
+
+TEST(Report, HasNoErrorBoundUnlessOneWasAskedFor) {
+  Report report = sampleReport();
+  report.shellErrorBound.reset();
+  EXPECT_FALSE(json::parse(toJson(report)).contains("shell_error_bound_mm"));
 }
 
 TEST(Report, AddsUpTheTimesOfAStage) {

@@ -44,6 +44,20 @@ class ClosestPointTree {
   /// ‖p − c(p)‖ without the feature; starts from the triangle `hint` of a neighbouring query.
   [[nodiscard]] double distance(const Vec3& p, std::optional<TriangleId> hint = {}) const;
 
+  /// Distance from `p` to one triangle of S.
+  [[nodiscard]] double distanceTo(TriangleId t, const Vec3& p) const;
+
+  /// Triangles of S that a query passes over.
+  enum class Except {
+    kNothing,
+    kBehind,  ///< those that have all of the query behind them, and no vertex on the rim
+    kBefore,  ///< those that have all of the query before them
+  };
+  /// The least distance of any point of `triangle`, which must not meet S, to those triangles of S that are
+  /// left; `within` where it is not less.
+  [[nodiscard]] double distance(const std::array<Vec3, 3>& triangle, double within,
+                                Except except = Except::kNothing) const;
+
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;

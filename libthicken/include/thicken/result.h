@@ -66,6 +66,7 @@ struct Report {
   double surfaceDeviation = 0;        ///< always 0: S is kept
   ErrorFacts shellError;              ///< over the whole shell
   ErrorFacts shellErrorFullDepth;     ///< where the depth reached is full
+  std::optional<double> shellErrorBound;  ///< mm; with Options::tolerance: proved for all of the shell
   double thinnestWall = 0;            ///< mm, least distance from a shell vertex to S
   Vec3 thinnestPlace = Vec3::Zero();  ///< mm, where that is
   double thinShare = 0;               ///< share of the area of S with a depth below 0.9 r

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "thicken/closest_point.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "bvh/distance_tree.h"
 #include "mesh/normals.h"
@@ -71,6 +73,30 @@ double ClosestPointTree::distance(const Vec3& p, std::optional<TriangleId> hint)
   if (hint) hit = {impl_->tree.measure(p, *hint), *hint};
   impl_->tree.nearest(p, hit);
   return std::sqrt(hit.closest.squaredDistance);
+}
+
+double ClosestPointTree::distanceTo(TriangleId t, const Vec3& p) const {
+  return std::sqrt(impl_->tree.measure(p, t).squaredDistance);
+}
+
+double ClosestPointTree::distance(const std::array<Vec3, 3>& triangle, double within, Except except) const {
+  // A normal of a triangle that is no needle is exact to a tenth of this angle.
+  constexpr double kClear = 1e-5;
+  const Impl& s = *impl_;
+  const PreparedTriangle t(triangle, {0, 1, 2});
+  std::function<bool(const PreparedTriangle&)> skip;
+  if (except != Except::kNothing)
+    skip = [&, sense = except == Except::kBefore ? 1 : -1](const PreparedTriangle& own) {
+      if (except == Except::kBehind)
+        for (const VertexId v : own.ids)
+          if (s.rimVertex[v]) return false;
+      return std::all_of(triangle.begin(), triangle.end(), [&](const Vec3& p) {
+        const Vec3 from = p - own.corner[0];
+        return sense * own.normal.dot(from) > kClear * from.norm();
+      });
+    };
+  double squared = within > 0 ? within * within : 0;
+  return s.tree.nearest(t, skip, squared) ? std::sqrt(squared) : within;
 }
 
 double signedDistance(const Vec3& p, const ClosestPoint& c) {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "bvh/triangle_gap.h"
 #include "mesh/bounds.h"
 #include "parallel_for.h"
 
@@ -35,6 +36,11 @@ struct Frame {
     axis[1] = u;
   }
 };
+
+// Distances of boxes carry the rounding of float products and sums, and axes that are orthonormal in
+// floats only; 1e-5 covers it many times over.
+constexpr float kShrink = 1 - 1e-5f;
+constexpr int kMostWaiting = 192;
 
 float roundUp(double x) {
   const auto f = static_cast<float>(x);
@@ -324,18 +330,57 @@ DistanceTree::Four DistanceTree::squaredDistances(const Leaf& leaf, float x, flo
   return above.square() + beyond.square();
 }
 
+// A box is as far as the one around the triangle along its axes.
+DistanceTree::Four DistanceTree::squaredDistances(const Node& n, const Corners& t) {
+  const auto four = [](const float* p) { return Eigen::Map<const Four, Eigen::Aligned16>(p); };
+  Four sum = Four::Zero();
+  for (int a = 0; a < 3; ++a) {
+    Four low = Four::Constant(std::numeric_limits<float>::infinity()), high = -low;
+    for (const auto& [x, y, z] : t) {
+      const Four along = four(n.axis[a][0]) * (x - four(n.middle[0])) +
+                         four(n.axis[a][1]) * (y - four(n.middle[1])) +
+                         four(n.axis[a][2]) * (z - four(n.middle[2]));
+      low = low.min(along);
+      high = high.max(along);
+    }
+    sum += (low.max(-high) - four(n.half[a])).max(0.0f).square();
+  }
+  return sum;
+}
+
+// All corners are so far above or below the plane, and so far beyond one edge.
+DistanceTree::Four DistanceTree::squaredDistances(const Leaf& leaf, const Corners& t) const {
+  Four low[4], high;
+  for (int plane = 0; plane < 4; ++plane) {
+    const auto four = [&](int i) { return Eigen::Map<const Four, Eigen::Aligned16>(leaf.plane[plane][i]); };
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Four height = four(0) * t[k][0] + four(1) * t[k][1] + four(2) * t[k][2] - four(3);
+      low[plane] = k == 0 ? height : low[plane].min(height);
+      if (plane == 0) high = k == 0 ? height : high.max(height);
+    }
+  }
+  const Four above = (low[0].max(-high) - slack_).max(0.0f);
+  const Four beyond = (low[1].max(low[2]).max(low[3]) - slack_).max(0.0f);
+  return above.square() + beyond.square();
+}
+
+// Writes the children that may be nearer than `within`, farthest first; returns how many.
+int DistanceTree::put(const Node& n, const Four& squaredDistance, double within, Entry* to) {
+  int m = 0;
+  for (int k = 0; k < kWidth; ++k) {
+    if (n.child[k] == kEmpty || squaredDistance[k] * kShrink > within) continue;
+    int at = m++;
+    for (; at > 0 && to[at - 1].d2 < squaredDistance[k]; --at) to[at] = to[at - 1];
+    to[at] = {squaredDistance[k], n.child[k]};
+  }
+  return m;
+}
+
 bool DistanceTree::nearest(const Vec3& p, Hit& hit) const {
   if (nodes_.empty()) return false;
   const Vec3 q = p - centre_;
   const float x = static_cast<float>(q.x()), y = static_cast<float>(q.y()), z = static_cast<float>(q.z());
-  // Bounds distances carry the rounding of float products and sums, and axes that are orthonormal in
-  // floats only; 1e-5 covers it many times over.
-  constexpr float kShrink = 1 - 1e-5f;
-  struct Entry {
-    float d2;
-    std::int32_t child;
-  };
-  Entry stack[192];
+  Entry stack[kMostWaiting];
   int top = 0;
   stack[top++] = {0, 0};
   bool found = false;
@@ -358,16 +403,40 @@ bool DistanceTree::nearest(const Vec3& p, Hit& hit) const {
       continue;
     }
     const Node& n = nodes_[static_cast<std::size_t>(e.child)];
-    const Four d2 = squaredDistances(n, x, y, z);
-    Entry next[kWidth];
-    int m = 0;
-    for (int k = 0; k < kWidth; ++k) {
-      if (n.child[k] == kEmpty || d2[k] * kShrink > hit.closest.squaredDistance) continue;
-      int at = m++;
-      for (; at > 0 && next[at - 1].d2 < d2[k]; --at) next[at] = next[at - 1];  // farthest first
-      next[at] = {d2[k], n.child[k]};
+    top += put(n, squaredDistances(n, x, y, z), hit.closest.squaredDistance, stack + top);
+  }
+  return found;
+}
+
+bool DistanceTree::nearest(const PreparedTriangle& t,
+                           const std::function<bool(const PreparedTriangle&)>& skip,
+                           double& squaredDistance) const {
+  if (nodes_.empty()) return false;
+  Corners corners;
+  for (std::size_t k = 0; k < 3; ++k)
+    for (int x = 0; x < 3; ++x) corners[k][static_cast<std::size_t>(x)] = float(t.corner[k][x] - centre_[x]);
+  Entry stack[kMostWaiting];
+  int top = 0;
+  stack[top++] = {0, 0};
+  bool found = false;
+  while (top > 0) {
+    const Entry e = stack[--top];
+    if (e.d2 * kShrink > squaredDistance) continue;
+    if (e.child >= 0) {
+      const Node& n = nodes_[static_cast<std::size_t>(e.child)];
+      top += put(n, squaredDistances(n, corners), squaredDistance, stack + top);
+      continue;
     }
-    for (int i = 0; i < m; ++i) stack[top++] = next[i];
+    const Leaf& leaf = leaves_[static_cast<std::size_t>(-1 - e.child)];
+    const Four least = squaredDistances(leaf, corners) * kShrink;
+    for (std::uint32_t k = 0; k < leaf.count; ++k) {
+      const PreparedTriangle& own = prepared_[leaf.first + k];
+      if (least[k] > squaredDistance || (skip && skip(own))) continue;
+      const double d2 = squaredGap(t, own, squaredDistance);
+      if (d2 >= squaredDistance) continue;
+      squaredDistance = d2;
+      found = true;
+    }
   }
   return found;
 }

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -29,6 +30,11 @@ class DistanceTree {
   /// Improves `hit` by every triangle that is nearer than hit.closest.squaredDistance, or as near
   /// with a lower id. Returns whether there was one.
   bool nearest(const Vec3& p, Hit& hit) const;
+
+  /// Lowers `squaredDistance` to that of the nearest triangle to `t` which is nearer, and of which `skip`
+  /// is not true. Returns whether there was one. `t` must not meet any of the triangles.
+  bool nearest(const PreparedTriangle& t, const std::function<bool(const PreparedTriangle&)>& skip,
+               double& squaredDistance) const;
 
   /// The triangle itself, as a starting bound for nearest().
   [[nodiscard]] TriangleClosest measure(const Vec3& p, TriangleId t) const;
@@ -54,7 +60,17 @@ class DistanceTree {
   using Four = Eigen::Array<float, kWidth, 1>;
   struct Builder;
 
+  /// The corners of a triangle, from the centre of the mesh.
+  using Corners = std::array<std::array<float, 3>, 3>;
+  struct Entry {
+    float d2;
+    std::int32_t child;
+  };
+  [[nodiscard]] static int put(const Node& n, const Four& squaredDistance, double within, Entry* to);
+
   [[nodiscard]] static Four squaredDistances(const Node& n, float x, float y, float z);
+  [[nodiscard]] static Four squaredDistances(const Node& n, const Corners& t);
+  [[nodiscard]] Four squaredDistances(const Leaf& leaf, const Corners& t) const;
   [[nodiscard]] Four squaredDistances(const Leaf& leaf, float x, float y, float z) const;
 
   std::vector<Node> nodes_;

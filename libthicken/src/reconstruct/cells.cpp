@@ -63,10 +63,12 @@ double cellWidth(const TriangleMesh& surface, double area, const Options& option
                       *options.resolution, w, static_cast<int>(std::floor(2 * longest / r)) + 1));
     return w;
   }
-  // r/6 is round to within 0.2 % nearly everywhere; coarser where that would take very many cells.
-  const double byArea = std::sqrt(area / mostCells);
-  double finest = r / 6;
-  if (options.tolerance) finest = std::clamp(std::sqrt(3 * *options.tolerance * r), r / 20, finest);
+  // r/6 is round to within 0.2 % nearly everywhere; coarser where that would take very many cells. A
+  // tolerance that asks for finer ones may have as many more.
+  const double usual = r / 6;
+  const double finest =
+      options.tolerance ? std::clamp(std::sqrt(3 * *options.tolerance * r), r / 20, usual) : usual;
+  const double byArea = std::sqrt(area / mostCells) * (finest / usual);
   return std::clamp(byArea, finest, r / 2.2);
 }
 

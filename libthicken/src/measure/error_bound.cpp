@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "measure/error_bound.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "parallel_for.h"
+
+namespace thicken {
+
+namespace {
+
+using Corners = std::array<Vec3, 3>;
+
+// A point of the shell with what S is like from there.
+struct Corner {
+  Vec3 at = Vec3::Zero();
+  TriangleId nearest = 0;
+  double distance = 0;  // mm
+  bool onRim = false;
+};
+
+struct Part {
+  std::array<Corner, 3> corner;
+  bool nearEnough = false, farEnough = false;  // proved
+};
+
+Corners cornersOf(const Part& part) {
+  return {part.corner[0].at, part.corner[1].at, part.corner[2].at};
+}
+
+Vec3 middleOf(const Corners& t) {
+  return (t[0] + t[1] + t[2]) / 3;
+}
+
+double radiusOf(const Corners& t, const Vec3& middle) {
+  return std::sqrt(std::max(
+      {(t[0] - middle).squaredNorm(), (t[1] - middle).squaredNorm(), (t[2] - middle).squaredNorm()}));
+}
+
+Corners moved(const Corners& t, const Vec3& by) {
+  return {t[0] + by, t[1] + by, t[2] + by};
+}
+
+class ShellProof {
+ public:
+  ShellProof(const ClosestPointTree& tree, double r, Side side, double tolerance, double rounding)
+      : tree_(tree),
+        r_(r),
+        tolerance_(tolerance),
+        rounding_(rounding),
+        oneSided_(side != Side::kBoth),
+        smallest_(std::sqrt(r * tolerance) / 64) {}
+
+  [[nodiscard]] Corner cornerAt(const Vec3& p) const {
+    const auto c = tree_.closest(p);
+    return {p, c->triangle, c->distance, c->onRim};
+  }
+
+  // An error that there is for certain, up to the tolerance.
+  void expect(double error) { goal_ = std::min(tolerance_, (known_ = error) + tolerance_ / 8); }
+
+  // The bound over one triangle of the shell, which faces out of the solid.
+  [[nodiscard]] ErrorBound boundOf(const std::array<Corner, 3>& triangle) const {
+    const Corners t = {triangle[0].at, triangle[1].at, triangle[2].at};
+    const Vec3 out = (t[1] - t[0]).cross(t[2] - t[0]).stableNormalized();
+    ErrorBound bound{0, t[0]};
+    std::vector<Part> waiting{{triangle}};
+    for (std::size_t parts = 0; !waiting.empty(); ++parts) {
+      Part part = waiting.back();
+      waiting.pop_back();
+      const bool last = parts >= kMostParts;
+      if (!part.nearEnough && !provedNear(part, last, bound)) return bound;
+      if (!part.farEnough && !provedFar(part, out, last, bound)) return bound;
+      if (!part.nearEnough || !part.farEnough) divide(part, waiting);
+    }
+    return bound;
+  }
+
+ private:
+  static constexpr std::size_t kMostParts = 1000000;
+
+  static void raise(ErrorBound& bound, double to, const Vec3& place) {
+    if (to > bound.most) bound = {to, place};
+  }
+
+  // Whether no point is farther than asked, or that is still open; false where one is.
+  bool provedNear(Part& part, bool last, ErrorBound& bound) const {
+    const Corner* farthest = &part.corner[0];
+    for (const Corner& c : part.corner)
+      if (c.distance > farthest->distance) farthest = &c;
+    if (farthest->distance - rounding_ > r_ + tolerance_) {
+      bound = {farthest->distance - r_, farthest->at};
+      return false;
+    }
+    double error = farthestFrom(part) + rounding_ - r_;
+    if (error > goal_) {
+      const Corner middle = cornerAt(middleOf(cornersOf(part)));
+      error = std::min(error, farthestFrom(part, middle.nearest) + rounding_ - r_);
+    }
+    if (error > goal_ && !last && longestEdge(part).second > smallest_) return true;
+    raise(bound, error, farthest->at);
+    part.nearEnough = true;
+    return error <= tolerance_;
+  }
+
+  // The same for no point being nearer than asked.
+  bool provedFar(Part& part, const Vec3& out, bool last, ErrorBound& bound) const {
+    const Corners t = cornersOf(part);
+    const Vec3 middle = middleOf(t);
+    double error = r_ + rounding_ - tree_.distance(t, r_ - known_);
+    if (error > tolerance_) {
+      const double radius = radiusOf(t, middle);
+      if (radius <= tolerance_ && isOfRim(part, middle)) {
+        part.farEnough = true;
+        return true;
+      }
+      if (!endsHalfway(t, middle, radius, out)) {
+        const bool open = !last && radius > tolerance_ / 8;
+        if (!open) bound = {error, middle};
+        return open;
+      }
+      error = tolerance_;
+    }
+    raise(bound, error, middle);
+    part.farEnough = true;
+    return true;
+  }
+
+  [[nodiscard]] double farthestFrom(const Corners& t, TriangleId s) const {
+    return std::max({tree_.distanceTo(s, t[0]), tree_.distanceTo(s, t[1]), tree_.distanceTo(s, t[2])});
+  }
+  [[nodiscard]] double farthestFrom(const Part& part, TriangleId s) const {
+    return farthestFrom(cornersOf(part), s);
+  }
+  [[nodiscard]] double farthestFrom(const Part& part) const {
+    double least = farthestFrom(part, part.corner[0].nearest);
+    for (int k = 1; k < 3; ++k)
+      if (part.corner[k].nearest != part.corner[k - 1].nearest)
+        least = std::min(least, farthestFrom(part, part.corner[k].nearest));
+    return least;
+  }
+
+  [[nodiscard]] bool isOfRim(const Part& part, const Vec3& middle) const {
+    return part.corner[0].onRim && part.corner[1].onRim && part.corner[2].onRim && cornerAt(middle).onRim;
+  }
+
+  // Whether ∂H is within the tolerance of all of the part.
+  [[nodiscard]] bool endsHalfway(const Corners& t, const Vec3& middle, double radius, const Vec3& out) const {
+    if (!oneSided_) return false;
+    const auto c = tree_.closest(middle);
+    const Vec3 away = (middle - c->point).stableNormalized();
+    const bool behind = (middle - c->point).dot(c->pseudonormal) < 0;
+    for (const Vec3& way : {out, behind ? away : Vec3(-away)}) {
+      const Vec3 by = (tolerance_ - rounding_) * way;
+      if (allInside(moved(t, -by)) && allOutside(moved(t, by))) return true;
+      if (endsNear(middle, tolerance_ - rounding_ - radius, way)) return true;
+    }
+    return false;
+  }
+
+  // Whether ∂H is within `reach` of a point, on the straight line along `way`: some of it is in H, and some
+  // not.
+  [[nodiscard]] bool endsNear(const Vec3& p, double reach, const Vec3& way) const {
+    if (reach <= 0) return false;
+    const bool inside = isInside(p);
+    for (const double at : {1.0, 0.5, 0.25})
+      if (isInside(p - at * reach * way) != inside || isInside(p + at * reach * way) != inside) return true;
+    return false;
+  }
+
+  [[nodiscard]] bool isInside(const Vec3& p) const { return insideThickened(p, *tree_.closest(p), r_); }
+
+  // Some triangle that has all points behind it is nearer than all others are, and not farther than asked.
+  [[nodiscard]] bool allInside(const Corners& t) const {
+    const Vec3 middle = middleOf(t);
+    const auto c = tree_.closest(middle);
+    if (!insideThickened(middle, *c, r_)) return false;
+    const double most = farthestFrom(t, c->triangle) + 2 * rounding_;
+    return most <= r_ && tree_.distance(t, most, ClosestPointTree::Except::kBehind) == most;
+  }
+
+  // Some triangle that has all points before it is, or else all are farther than asked.
+  [[nodiscard]] bool allOutside(const Corners& t) const {
+    const Vec3 middle = middleOf(t);
+    const auto c = tree_.closest(middle);
+    if (insideThickened(middle, *c, r_)) return false;
+    const double most = std::min(r_, farthestFrom(t, c->triangle)) + 2 * rounding_;
+    return tree_.distance(t, most, ClosestPointTree::Except::kBefore) == most;
+  }
+
+  [[nodiscard]] static std::pair<int, double> longestEdge(const Part& part) {
+    std::pair<int, double> longest{0, -1};
+    for (int k = 0; k < 3; ++k) {
+      const double length = (part.corner[(k + 1) % 3].at - part.corner[k].at).norm();
+      if (length > longest.second) longest = {k, length};
+    }
+    return longest;
+  }
+
+  void divide(const Part& part, std::vector<Part>& to) const {
+    const int k = longestEdge(part).first, next = (k + 1) % 3;
+    const Corner between = cornerAt((part.corner[k].at + part.corner[next].at) / 2);
+    Part first = part, second = part;
+    first.corner[next] = between;
+    second.corner[k] = between;
+    to.push_back(second);
+    to.push_back(first);
+  }
+
+  const ClosestPointTree& tree_;
+  double r_, tolerance_;
+  double rounding_;  // mm, more than that of any distance here
+  bool oneSided_;
+  double smallest_;  // edge: what is not proved by then is as far as the tolerance but for a ten-thousandth
+  double known_ = 0, goal_ = 0;
+};
+
+// More than the rounding of any distance here, mm. Corners of parts are rounded, and so are distances: by a
+// few units in the last place of what goes in. That of edges which are nearly parallel is off by the root of
+// that, as a share of their length, but across the distance.
+double roundingOf(const TriangleMesh& mesh, std::span<const TriangleId> shell, double r) {
+  constexpr double kOfCoordinates = 1e-12, kOfParallels = 1e-14;
+  double largest = r, longest2 = 0;
+  for (const Vec3& p : mesh.positions) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  for (const TriangleId t : shell)
+    for (int k = 0; k < 3; ++k)
+      longest2 = std::max(
+          longest2, (mesh.positions[mesh.triangles[t][(k + 1) % 3]] - mesh.positions[mesh.triangles[t][k]])
+                        .squaredNorm());
+  return kOfCoordinates * 2 * largest + kOfParallels * longest2 / r;
+}
+
+}  // namespace
+
+ErrorBound boundShellError(const TriangleMesh& solid, std::span<const Region> region,
+                           const ClosestPointTree& tree, double r, Side side, double tolerance,
+                           const RunContext& context, int threads) {
+  std::vector<TriangleId> shell;
+  std::vector<std::uint8_t> onShell(solid.positions.size(), 0);
+  for (TriangleId t = 0; t < region.size(); ++t) {
+    if (region[t] != Region::kShell) continue;
+    shell.push_back(t);
+    for (const VertexId v : solid.triangles[t]) onShell[v] = 1;
+  }
+  ShellProof proof(tree, r, side, tolerance, roundingOf(solid, shell, r));
+  std::vector<Corner> corner(onShell.size());
+  parallelFor(corner.size(), threads, context, 256, [&](std::size_t v) {
+    if (onShell[v]) corner[v] = proof.cornerAt(solid.positions[v]);
+  });
+  double known = 0;
+  for (std::size_t v = 0; v < corner.size(); ++v)
+    if (const double error = std::abs(corner[v].distance - r); onShell[v] && error <= tolerance)
+      known = std::max(known, error);
+  proof.expect(known);
+
+  std::vector<ErrorBound> bounds(shell.size());
+  parallelFor(shell.size(), threads, context, 64, [&](std::size_t i) {
+    const auto& [a, b, c] = solid.triangles[shell[i]];
+    bounds[i] = proof.boundOf({corner[a], corner[b], corner[c]});
+  });
+  ErrorBound worst;
+  for (const ErrorBound& bound : bounds)
+    if (bound.most > worst.most) worst = bound;
+  return worst;
+}
+
+}  // namespace thicken

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// How far the shell is from its definition at most: not sampled, but proved for every point of every
+// triangle.
+//
+// The distance to one triangle of S is convex. So over a part of the shell the distance to S is nowhere more
+// than the least, over some triangles of S, of the largest at the part's corners. What it is at least is the
+// distance of two triangles. Parts that neither settles are divided.
+//
+// A part that is nearer to S than asked counts, unless Definition 2 itself ends the solid there: where the
+// front of another sheet is as near, ∂H is halfway between the two. That is proved, too: a short way out of
+// the solid all of the part is outside of H, and as far to the inside all of it is in H. A shell that is
+// merely too thin has H's material beyond it, and fails. (On both sides there are no fronts, and no
+// exception.) Nor does a part count as too near whose closest points lie on the rim: it is the
+// cross-section's (Remark 4).
+#pragma once
+
+#include <span>
+
+#include "thicken/closest_point.h"
+#include "thicken/options.h"
+#include "thicken/result.h"
+#include "thicken/run_context.h"
+
+namespace thicken {
+
+struct ErrorBound {
+  double most = 0;            ///< mm; no point of the shell that counts is farther off
+  Vec3 place = Vec3::Zero();  ///< mm, where that is
+};
+
+/// The bound for the shell of a valid solid of thickness `r` on the negative side of the surface of `tree`,
+/// or on both. `most` is above `tolerance` (mm) only where that could not be proved; then it is how far off
+/// the worst of the places is where the proof failed. Else it is above the largest error there is by an
+/// eighth of the tolerance at most, or the tolerance itself where the solid ends halfway to another sheet.
+[[nodiscard]] ErrorBound boundShellError(const TriangleMesh& solid, std::span<const Region> region,
+                                         const ClosestPointTree& tree, double r, Side side, double tolerance,
+                                         const RunContext& context, int threads);
+
+}  // namespace thicken
