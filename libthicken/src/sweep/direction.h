@@ -25,7 +25,8 @@ inline constexpr double kLeastSafety = 0.05;
 /// One direction for every vertex of `surface` that a triangle uses.
 [[nodiscard]] std::vector<SweepDirection> sweepDirections(const TriangleMesh& surface,
                                                           std::span<const Vec3> faceNormal,
-                                                          const VertexTriangles& around, const Rim& rim);
+                                                          const VertexTriangles& around, const Rim& rim,
+                                                          int threads);
 
 /// Point of least norm in the convex hull of `points`; zero when the hull holds the origin.
 [[nodiscard]] Vec3 minNormPoint(std::span<const Vec3> points);
