@@ -70,8 +70,8 @@ Solid assemble(Made made, Method method, const SurfaceFacts& input, const Option
 }
 
 void proveOrThrow(Solid& solid, const TriangleMesh& surface, Side side, const RunContext& context,
-                  int threads) {
-  AuditResult proof = audit(solid.mesh, surface, side, context, threads);
+                  int threads, std::span<const TriangleId> order = {}) {
+  AuditResult proof = audit(solid.mesh, surface, side, context, threads, order);
   solid.report.audit = proof.facts;
   if (proof.facts.passed()) return;
   std::string why = proof.defects.empty() ? "the audit failed" : proof.defects.front().sentence;
@@ -188,16 +188,16 @@ std::optional<Solid> deepenedSolid(const TriangleMesh& oriented, const ClosestPo
   }
 }
 
-// Proves the better of the two, or the sweep where the other fails.
+// Proves the better of the two, or the sweep where the other fails. `order`: audit()'s, for the sweep.
 Solid provedOf(std::optional<Solid> better, std::optional<Solid> swept, const TriangleMesh& surface,
-               Side side, const RunContext& context, int threads) {
+               Side side, const RunContext& context, int threads, std::span<const TriangleId> order) {
   if (better) try {
       proveOrThrow(*better, surface, side, context, threads);
       return std::move(*better);
     } catch (const Error& e) {
       if (!swept || !leavesTheSweep(e)) throw;
     }
-  proveOrThrow(*swept, surface, side, context, threads);
+  proveOrThrow(*swept, surface, side, context, threads, order);
   return std::move(*swept);
 }
 
@@ -207,6 +207,8 @@ Solid provedSolid(const TriangleMesh& surface, const TriangleMesh& oriented, con
                   Stopwatch& watch) {
   context.enter(Stage::kSweeping, kChecked, kSwept);
   std::optional<Solid> better, swept;
+  std::vector<double> sweptDistance;
+  std::vector<TriangleId> sweptOrder;
   if (options.method == Method::kReconstruct) {
     better = reconstructedSolid(reconstruct(oriented, tree, options, context, threads, watch),
                                 Method::kReconstruct, input, options, threads);
@@ -216,16 +218,20 @@ Solid provedSolid(const TriangleMesh& surface, const TriangleMesh& oriented, con
     watch.lap("sweep");
     if (options.method == Method::kAuto && side == Side::kNegative)
       better = deepenedSolid(oriented, tree, made, input, options, context, threads, watch);
+    sweptDistance = std::move(made.distance);
+    sweptOrder = std::move(made.order);
     swept = sweptSolid(std::move(made), input, options, threads);
   }
 
   context.enter(Stage::kAuditing, kSwept, kAudited);
-  Solid solid = provedOf(std::move(better), std::move(swept), surface, options.side, context, threads);
+  Solid solid =
+      provedOf(std::move(better), std::move(swept), surface, options.side, context, threads, sweptOrder);
   watch.lap("audit");
 
   context.enter(Stage::kMeasuring, kAudited, 1);
-  measure(solid, oriented, tree, options.tolerance ? Measure::kAll : Measure::kRepresentative, context,
-          threads);
+  if (solid.report.method != Method::kSweep) sweptDistance.clear();  // another mesh than the sweep's
+  measure(solid, oriented, tree, sweptDistance, options.tolerance ? Measure::kAll : Measure::kRepresentative,
+          context, threads);
   watch.lap("measure");
   return solid;
 }

@@ -62,6 +62,31 @@ Pairs bruteForce(const TriangleMesh& mesh, const Marks& active = {}, const Marks
   return pairs;
 }
 
+TEST_F(BoxTreeTest, AnswersDoNotDependOnAGivenOrder) {
+  const TriangleMesh mesh = soup(300, 0.2);
+  const auto pairsOf = [&](const BoxTree& tree) {
+    return tree.meetingPairs(mesh.positions, mesh.triangles, {}, context_, 1);
+  };
+  const BoxTree made(mesh.positions, mesh.triangles, 1);
+  std::vector<TriangleId> order = made.order();
+  ASSERT_EQ(order.size(), mesh.triangles.size());
+  std::shuffle(order.begin(), order.end(), random_);
+  const BoxTree shuffled(mesh.positions, mesh.triangles, 1, {}, order);
+  EXPECT_EQ(shuffled.order(), order);
+  EXPECT_EQ(pairsOf(shuffled), pairsOf(made));
+
+  order[7] = order[8];  // names a triangle twice and another not at all
+  EXPECT_EQ(BoxTree(mesh.positions, mesh.triangles, 1, {}, order).order(), made.order());
+  order[7] = 300;
+  EXPECT_EQ(BoxTree(mesh.positions, mesh.triangles, 1, {}, order).order(), made.order());
+  order.pop_back();
+  EXPECT_EQ(BoxTree(mesh.positions, mesh.triangles, 1, {}, order).order(), made.order());
+  Marks active(300, 1);
+  active[4] = 0;  // named, and not in
+  const BoxTree some(mesh.positions, mesh.triangles, 1, active, made.order());
+  EXPECT_EQ(some.order().size(), 299u);
+}
+
 TEST_F(BoxTreeTest, FindsThePairsThatBruteForceFinds) {
   for (const std::size_t count : {0, 1, 2, 3, 4, 5, 9, 63, 500}) {
     const TriangleMesh mesh = soup(count, 0.2);

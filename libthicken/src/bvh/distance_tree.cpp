@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bvh/distance_tree.h"
 
+#ifdef __SSE__
+#include <immintrin.h>
+#endif
+
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "bvh/triangle_gap.h"
 #include "mesh/bounds.h"
@@ -41,6 +47,19 @@ struct Frame {
 // floats only; 1e-5 covers it many times over.
 constexpr float kShrink = 1 - 1e-5f;
 constexpr int kMostWaiting = 192;
+
+// Bit k: whether the k-th number is not above `most`; what is no number, by overflow, rules nothing out.
+template <class Four>
+unsigned notAbove(const Four& numbers, float most) {
+#ifdef __SSE__
+  return static_cast<unsigned>(
+      _mm_movemask_ps(_mm_cmpngt_ps(_mm_loadu_ps(numbers.data()), _mm_set1_ps(most))));
+#else
+  unsigned bits = 0;
+  for (int k = 0; k < 4; ++k) bits |= static_cast<unsigned>(!(numbers[k] > most)) << k;
+  return bits;
+#endif
+}
 
 float roundUp(double x) {
   const auto f = static_cast<float>(x);
@@ -184,13 +203,22 @@ struct DistanceTree::Builder {
     return (r.begin + r.end) / 2;  // all middles coincide
   }
 
-  [[nodiscard]] std::int32_t makeLeaf(const Range& r, Lists& lists) const {
+  [[nodiscard]] static std::int32_t makeLeaf(const Range& r, Lists& lists) {
     Leaf leaf{};
     leaf.first = r.begin;
     leaf.count = r.end - r.begin;
+    lists.leaves.push_back(leaf);
+    return static_cast<std::int32_t>(lists.leaves.size() - 1);
+  }
+
+  // The triangles of a leaf, as they are measured and as its half-spaces.
+  void prepare(Leaf& leaf) const {
     for (std::uint32_t i = 0; i < leaf.count; ++i) {
-      const Triangle& t = triangles[tree.order_[r.begin + i]];
-      const PreparedTriangle p({positions[t[0]], positions[t[1]], positions[t[2]]}, t);
+      const TriangleId id = tree.order_[leaf.first + i];
+      const Triangle& t = triangles[id];
+      PreparedTriangle& p = tree.prepared_[leaf.first + i];
+      p = PreparedTriangle({positions[t[0]], positions[t[1]], positions[t[2]]}, t);
+      tree.placeOf_[id] = leaf.first + i;
       const auto put = [&](int plane, const Vec3& direction, const Vec3& on) {
         if (direction.isZero(0)) return;  // a needle's: always measured
         for (int x = 0; x < 3; ++x) leaf.plane[plane][x][i] = static_cast<float>(direction[x]);
@@ -199,8 +227,6 @@ struct DistanceTree::Builder {
       put(0, p.normal, p.corner[0]);
       for (int k = 0; k < 3; ++k) put(1 + k, -p.side[k].stableNormalized(), p.corner[k]);
     }
-    lists.leaves.push_back(leaf);
-    return static_cast<std::int32_t>(lists.leaves.size() - 1);
   }
 
   struct Later {
@@ -210,31 +236,64 @@ struct DistanceTree::Builder {
     int child;
     Lists lists;
   };
-  static constexpr std::uint32_t kPutOff = 4096;  // triangles of a subtree that is built by itself
+  // A box of a node above those subtrees: the largest ranges, so that these wait as well.
+  struct Box {
+    std::int32_t node;
+    int child;
+    Range range;
+  };
+  struct PutOff {
+    std::uint32_t most;  // triangles of a subtree that is built by itself
+    std::vector<Later> subtrees;
+    std::vector<Box> boxes;
+  };
 
   void buildAll(const Range& whole, int threads) {
+    constexpr std::uint32_t kLeast = 4096, kParts = 16;
     Lists top;
-    std::vector<Later> later;
-    build(whole, 0, top, &later);
+    PutOff putOff{std::max(kLeast, whole.end / kParts), {}, {}};
+    build(whole, 0, top, &putOff);
+    std::vector<Later>& later = putOff.subtrees;
+    parallelFor(putOff.boxes.size(), threads, RunContext(), 1, [&](std::size_t i) {
+      const Box& b = putOff.boxes[i];
+      putBox(top.nodes[static_cast<std::size_t>(b.node)], b.child, b.range);
+    });
     parallelFor(later.size(), threads, RunContext(), 1,
                 [&](std::size_t i) { build(later[i].range, later[i].depth, later[i].lists, nullptr); });
     tree.nodes_ = std::move(top.nodes);
     tree.leaves_ = std::move(top.leaves);
-    for (const Later& part : later) {
-      const auto firstNode = static_cast<std::int32_t>(tree.nodes_.size());
-      const auto firstLeaf = static_cast<std::int32_t>(tree.leaves_.size());
-      tree.nodes_[static_cast<std::size_t>(part.parent)].child[part.child] = firstNode;
-      for (Node node : part.lists.nodes) {
-        for (std::int32_t& child : node.child)
-          if (child != kEmpty) child = child < 0 ? child - firstLeaf : child + firstNode;
-        tree.nodes_.push_back(node);
-      }
-      tree.leaves_.insert(tree.leaves_.end(), part.lists.leaves.begin(), part.lists.leaves.end());
-    }
+    join(later, threads);
   }
 
-  // `later`: where subtrees that are small enough are put off to, if not nullptr.
-  std::int32_t build(const Range& whole, int depth, Lists& lists, std::vector<Later>* later) {
+  // Puts the subtrees behind the nodes and leaves above them.
+  void join(std::span<const Later> later, int threads) const {
+    std::size_t nodes = tree.nodes_.size(), leaves = tree.leaves_.size();
+    std::vector<std::pair<std::size_t, std::size_t>> first;
+    for (const Later& part : later) {
+      first.emplace_back(nodes, leaves);
+      tree.nodes_[static_cast<std::size_t>(part.parent)].child[part.child] = static_cast<std::int32_t>(nodes);
+      nodes += part.lists.nodes.size();
+      leaves += part.lists.leaves.size();
+    }
+    tree.nodes_.resize(nodes);
+    tree.leaves_.resize(leaves);
+    parallelFor(later.size(), threads, RunContext(), 1, [&](std::size_t i) {
+      const auto [firstNode, firstLeaf] = first[i];
+      std::copy(later[i].lists.leaves.begin(), later[i].lists.leaves.end(),
+                tree.leaves_.begin() + static_cast<std::ptrdiff_t>(firstLeaf));
+      auto to = tree.nodes_.begin() + static_cast<std::ptrdiff_t>(firstNode);
+      for (Node node : later[i].lists.nodes) {
+        for (std::int32_t& child : node.child)
+          if (child != kEmpty)
+            child = child < 0 ? child - static_cast<std::int32_t>(firstLeaf)
+                              : child + static_cast<std::int32_t>(firstNode);
+        *to++ = node;
+      }
+    });
+  }
+
+  // `later`: what to put off, and where to, if not nullptr.
+  std::int32_t build(const Range& whole, int depth, Lists& lists, PutOff* later) {
     std::vector<Range> parts{whole};
     while (parts.size() < static_cast<std::size_t>(kWidth)) {  // open the largest part until four
       std::size_t widest = parts.size();
@@ -259,15 +318,20 @@ struct DistanceTree::Builder {
         const Range& r = parts[static_cast<std::size_t>(k)];
         if (r.end - r.begin <= kLeafSize) {
           child = -1 - makeLeaf(r, lists);
-        } else if (later != nullptr && r.end - r.begin <= kPutOff) {
-          later->push_back({r, depth + 1, id, k, {}});
+        } else if (later != nullptr && r.end - r.begin <= later->most) {
+          later->subtrees.push_back({r, depth + 1, id, k, {}});
         } else {
           child = build(r, depth + 1, lists, later);
         }
       }
       Node& node = lists.nodes[static_cast<std::size_t>(id)];
       node.child[k] = child;
-      if (used) putBox(node, k, parts[static_cast<std::size_t>(k)]);
+      if (!used) continue;
+      const Range& r = parts[static_cast<std::size_t>(k)];
+      if (later != nullptr)
+        later->boxes.push_back({id, k, r});
+      else
+        putBox(node, k, r);
     }
     return id;
   }
@@ -276,16 +340,16 @@ struct DistanceTree::Builder {
 DistanceTree::DistanceTree(std::span<const Vec3> positions, std::span<const Triangle> triangles,
                            int threads) {
   Builder builder{*this, positions, triangles, {}, {}, 0};
-  builder.boxes.reserve(triangles.size());
-  builder.middles.reserve(triangles.size());
+  builder.boxes.resize(triangles.size());
+  builder.middles.resize(triangles.size());
+  constexpr std::size_t kGrain = 4096;
+  parallelFor(triangles.size(), threads, RunContext(), kGrain, [&](std::size_t t) {
+    Bounds& b = builder.boxes[t];
+    for (const VertexId v : triangles[t]) b.add(positions[v]);
+    builder.middles[t] = (b.low + b.high) / 2;
+  });
   Bounds whole;
-  for (const Triangle& t : triangles) {
-    Bounds b;
-    for (const VertexId v : t) b.add(positions[v]);
-    whole.add(b);
-    builder.boxes.push_back(b);
-    builder.middles.push_back((b.low + b.high) / 2);
-  }
+  for (const Bounds& b : builder.boxes) whole.add(b);
   order_.resize(triangles.size());
   std::iota(order_.begin(), order_.end(), 0u);
   if (triangles.empty()) return;
@@ -294,13 +358,10 @@ DistanceTree::DistanceTree(std::span<const Vec3> positions, std::span<const Tria
   builder.slack = (whole.high - whole.low).maxCoeff() * 2e-6;
   slack_ = roundUp(builder.slack);
   builder.buildAll({0, static_cast<std::uint32_t>(triangles.size()), whole}, threads);
-  prepared_.reserve(order_.size());
+  prepared_.resize(order_.size());
   placeOf_.resize(order_.size());
-  for (std::uint32_t i = 0; i < order_.size(); ++i) {
-    const Triangle& t = triangles[order_[i]];
-    prepared_.emplace_back(std::array{positions[t[0]], positions[t[1]], positions[t[2]]}, t);
-    placeOf_[order_[i]] = i;
-  }
+  parallelFor(leaves_.size(), threads, RunContext(), kGrain / kLeafSize,
+              [&](std::size_t i) { builder.prepare(leaves_[i]); });
 }
 
 TriangleClosest DistanceTree::measure(const Vec3& p, TriangleId t) const {
@@ -308,7 +369,7 @@ TriangleClosest DistanceTree::measure(const Vec3& p, TriangleId t) const {
 }
 
 // Lower bounds of the squared distances to the four boxes of a node.
-DistanceTree::Four DistanceTree::squaredDistances(const Node& n, float x, float y, float z) {
+inline DistanceTree::Four DistanceTree::squaredDistances(const Node& n, float x, float y, float z) {
   const auto four = [](const float* p) { return Eigen::Map<const Four, Eigen::Aligned16>(p); };
   const Four dx = x - four(n.middle[0]), dy = y - four(n.middle[1]), dz = z - four(n.middle[2]);
   Four sum = Four::Zero();
@@ -320,7 +381,7 @@ DistanceTree::Four DistanceTree::squaredDistances(const Node& n, float x, float 
 }
 
 // Lower bounds of the squared distances to the triangles of a leaf.
-DistanceTree::Four DistanceTree::squaredDistances(const Leaf& leaf, float x, float y, float z) const {
+inline DistanceTree::Four DistanceTree::squaredDistances(const Leaf& leaf, float x, float y, float z) const {
   const auto height = [&](int plane) -> Four {
     const auto four = [&](int i) { return Eigen::Map<const Four, Eigen::Aligned16>(leaf.plane[plane][i]); };
     return four(0) * x + four(1) * y + four(2) * z - four(3);
@@ -380,32 +441,64 @@ bool DistanceTree::nearest(const Vec3& p, Hit& hit) const {
   if (nodes_.empty()) return false;
   const Vec3 q = p - centre_;
   const float x = static_cast<float>(q.x()), y = static_cast<float>(q.y()), z = static_cast<float>(q.z());
+  // What is farther than this by its lower bound, squared, is farther than the hit. Lower bounds carry the
+  // rounding of float products and sums, and axes that are orthonormal in floats only; 2e-5 covers it many
+  // times over.
+  const auto reachOf = [](double squaredDistance) {
+    return static_cast<float>(squaredDistance * (1 + 2e-5));
+  };
+  const auto prefetch = [this](std::int32_t child) {
+    const char* at = child < 0 ? reinterpret_cast<const char*>(&leaves_[static_cast<std::size_t>(-1 - child)])
+                               : reinterpret_cast<const char*>(&nodes_[static_cast<std::size_t>(child)]);
+    for (int line = 0; line < 4; ++line) __builtin_prefetch(at + 64 * line);
+  };
+  float reach = reachOf(hit.closest.squaredDistance);
   Entry stack[kMostWaiting];
   int top = 0;
-  stack[top++] = {0, 0};
   bool found = false;
-  while (top > 0) {
-    const Entry e = stack[--top];
-    if (e.d2 * kShrink > hit.closest.squaredDistance) continue;
-    if (e.child < 0) {
-      const Leaf& leaf = leaves_[static_cast<std::size_t>(-1 - e.child)];
-      const Four least = squaredDistances(leaf, x, y, z) * kShrink;
-      for (std::uint32_t k = 0; k < leaf.count; ++k) {
-        if (least[k] > hit.closest.squaredDistance) continue;
-        const std::uint32_t i = leaf.first + k;
+  std::int32_t at = 0;
+  for (;;) {
+    if (at < 0) {
+      const Leaf& leaf = leaves_[static_cast<std::size_t>(-1 - at)];
+      const Four least = squaredDistances(leaf, x, y, z);
+      for (unsigned near = notAbove(least, reach) & ((1u << leaf.count) - 1); near != 0; near &= near - 1) {
+        const int k = std::countr_zero(near);
+        if (least[k] > reach) continue;  // of what was measured just before
+        const std::uint32_t i = leaf.first + static_cast<std::uint32_t>(k);
         const TriangleClosest c = closestOnTriangle(p, prepared_[i], hit.closest.squaredDistance);
         if (c.squaredDistance < hit.closest.squaredDistance ||
             (c.squaredDistance == hit.closest.squaredDistance && order_[i] < hit.triangle)) {
           hit = {c, order_[i]};
+          reach = reachOf(c.squaredDistance);
           found = true;
         }
       }
-      continue;
+    } else {
+      const Node& n = nodes_[static_cast<std::size_t>(at)];
+      const Four d2 = squaredDistances(n, x, y, z);
+      Entry next[kWidth];
+      int m = 0;
+      for (unsigned near = notAbove(d2, reach); near != 0; near &= near - 1) {
+        const int k = std::countr_zero(near);
+        if (n.child[k] == kEmpty) continue;
+        int place = m++;
+        for (; place > 0 && next[place - 1].d2 < d2[k]; --place)
+          next[place] = next[place - 1];  // farthest first
+        next[place] = {d2[k], n.child[k]};
+      }
+      if (m > 0) {
+        for (int i = 0; i + 1 < m; ++i) stack[top++] = next[i];
+        if (m > 1) prefetch(next[m - 2].child);  // it is next unless the nearest one rules it out
+        at = next[m - 1].child;
+        continue;
+      }
     }
-    const Node& n = nodes_[static_cast<std::size_t>(e.child)];
-    top += put(n, squaredDistances(n, x, y, z), hit.closest.squaredDistance, stack + top);
+    do {
+      if (top == 0) return found;
+      --top;
+    } while (stack[top].d2 > reach);
+    at = stack[top].child;
   }
-  return found;
 }
 
 bool DistanceTree::nearest(const PreparedTriangle& t,

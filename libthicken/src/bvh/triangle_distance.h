@@ -29,6 +29,7 @@ struct PreparedTriangle {
   std::array<Vec3, 3> side;  ///< normal × edge: points into the triangle
   Triangle ids;
 
+  PreparedTriangle() {}  // uninitialised: not a default one, which would be filled with zeros
   PreparedTriangle(const std::array<Vec3, 3>& c, const Triangle& t) : corner(c), ids(t) {
     const Vec3 u = c[1] - c[0], v = c[2] - c[0], n = u.cross(v);
     constexpr double kNeedle = 1e-20;  // its edges are as near as its face to the last digit

@@ -52,12 +52,13 @@ Subject welded(const TriangleMesh& solid, const TriangleMesh& surface) {
 class Auditor {
  public:
   Auditor(const TriangleMesh& solid, const TriangleMesh& surface, Side side, const RunContext& context,
-          int threads)
+          int threads, std::span<const TriangleId> order)
       : subject_(welded(solid, surface)),
         mesh_(subject_.solid),
         side_(side),
         context_(context),
-        threads_(threads) {}
+        threads_(threads),
+        order_(order) {}
 
   AuditResult run() {
     if (mesh_.triangles.empty()) {
@@ -72,7 +73,7 @@ class Auditor {
     judgeJoints(badJoints(mesh_, edges, context_, threads_));
     judgeKept(edges);
     context_.throwIfCancelled();
-    const exact::BoxTree tree(mesh_.positions, mesh_.triangles, threads_, bad.proper);
+    const exact::BoxTree tree(mesh_.positions, mesh_.triangles, threads_, bad.proper, order_);
     judgeMeetings(tree);
     judgeSense(edges, tree);
     return result_;
@@ -248,14 +249,15 @@ class Auditor {
   Side side_;
   const RunContext& context_;
   int threads_;
+  std::span<const TriangleId> order_;
   AuditResult result_;
 };
 
 }  // namespace
 
 AuditResult audit(const TriangleMesh& solid, const TriangleMesh& surface, Side side,
-                  const RunContext& context, int threads) {
-  return Auditor(solid, surface, side, context, threads).run();
+                  const RunContext& context, int threads, std::span<const TriangleId> order) {
+  return Auditor(solid, surface, side, context, threads, order).run();
 }
 
 }  // namespace thicken

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <numeric>
+#include <utility>
 
 #include "exact/box_order.h"
 #include "exact/float_box.h"
@@ -316,6 +317,16 @@ class SelfMeetings {
   Limit limit_;
 };
 
+// Whether `order` names all of `ids`, which ascend, and nothing else.
+bool namesAll(std::span<const TriangleId> order, std::span<const TriangleId> ids) {
+  if (order.size() != ids.size() || ids.empty()) return false;
+  std::vector<std::uint8_t> open(ids.back() + std::size_t{1}, 0);
+  for (const TriangleId t : ids) open[t] = 1;
+  return std::all_of(order.begin(), order.end(), [&](TriangleId t) {
+    return t < open.size() && std::exchange(open[t], std::uint8_t{0}) != 0;
+  });
+}
+
 // A mask for every place in the leaves; empty when nothing is left out. Places of nobody have all bits.
 template <class MaskOf>
 std::vector<Mask> masksOf(const std::vector<Leaf>& leaves, MaskOf maskOf) {
@@ -332,13 +343,16 @@ std::vector<Mask> masksOf(const std::vector<Leaf>& leaves, MaskOf maskOf) {
 }  // namespace
 
 BoxTree::BoxTree(std::span<const Vec3> positions, std::span<const Triangle> triangles, int threads,
-                 std::span<const std::uint8_t> active)
+                 std::span<const std::uint8_t> active, std::span<const TriangleId> order)
     : impl_(std::make_unique<Impl>()) {
   std::vector<TriangleId> ids;
   ids.reserve(triangles.size());
   for (TriangleId t = 0; t < triangles.size(); ++t)
     if (active.empty() || active[t] != 0) ids.push_back(t);
-  ids = leafOrder(positions, triangles, std::move(ids), threads);
+  if (namesAll(order, ids))
+    ids.assign(order.begin(), order.end());
+  else
+    ids = leafOrder(positions, triangles, std::move(ids), threads);
 
   impl_->threads = threads;
   impl_->leaves.resize((ids.size() + kLeafSize - 1) / kLeafSize);
@@ -421,6 +435,15 @@ std::vector<TrianglePair> BoxTree::meetingPairsWith(std::span<const TriangleId> 
     });
   });
   return sortedUnion(found);
+}
+
+std::vector<TriangleId> BoxTree::order() const {
+  std::vector<TriangleId> ids;
+  ids.reserve(kLeafSize * impl_->leaves.size());
+  for (const Leaf& leaf : impl_->leaves)
+    for (const TriangleId t : leaf.id)
+      if (t != kNobody) ids.push_back(t);
+  return ids;
 }
 
 std::vector<TriangleId> BoxTree::near(const Vec3& low, const Vec3& high) const {

@@ -18,9 +18,11 @@ using TrianglePair = std::pair<TriangleId, TriangleId>;  ///< first < second
 
 class BoxTree {
  public:
-  /// `active[t] == 0` leaves triangle t out (empty span: all are in).
+  /// `active[t] == 0` leaves triangle t out (empty span: all are in). `order`: that of the leaves of a tree
+  /// over as many triangles in much the same places, which need not be found again; it is passed over unless
+  /// it names each triangle that is in once, and answers do not depend on it.
   BoxTree(std::span<const Vec3> positions, std::span<const Triangle> triangles, int threads,
-          std::span<const std::uint8_t> active = {});
+          std::span<const std::uint8_t> active = {}, std::span<const TriangleId> order = {});
   ~BoxTree();
   BoxTree(BoxTree&&) noexcept;
   BoxTree& operator=(BoxTree&&) noexcept;
@@ -45,6 +47,9 @@ class BoxTree {
                                                            std::span<const Triangle> triangles,
                                                            std::span<const std::uint8_t> fixed,
                                                            const RunContext& context, int threads) const;
+
+  /// The triangles in the order of the leaves.
+  [[nodiscard]] std::vector<TriangleId> order() const;
 
   /// The triangles whose boxes overlap the box from `low` to `high` (which may be infinite), among
   /// them all that reach into it, ascending.

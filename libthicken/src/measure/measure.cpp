@@ -48,14 +48,14 @@ ErrorFacts summary(std::vector<Sample> samples, int threads) {
 
 // Distance of every shell vertex from S, mm; infinite for other vertices.
 std::vector<double> shellDistances(const Solid& solid, const ClosestPointTree& tree,
-                                   const RunContext& context, int threads) {
+                                   std::span<const double> known, const RunContext& context, int threads) {
   std::vector<std::uint8_t> onShell(solid.mesh.positions.size(), 0);
   for (std::size_t t = 0; t < solid.region.size(); ++t)
     if (solid.region[t] == Region::kShell)
       for (const VertexId v : solid.mesh.triangles[t]) onShell[v] = 1;
   std::vector<double> distance(onShell.size(), std::numeric_limits<double>::infinity());
   parallelFor(onShell.size(), threads, context, 512, [&](std::size_t v) {
-    if (onShell[v]) distance[v] = tree.distance(solid.mesh.positions[v]);
+    if (onShell[v]) distance[v] = known.empty() ? tree.distance(solid.mesh.positions[v]) : known[v];
   });
   return distance;
 }
@@ -64,13 +64,14 @@ std::vector<double> shellDistances(const Solid& solid, const ClosestPointTree& t
 void measureShell(Solid& solid, const ClosestPointTree& tree, std::span<const double> distance, Measure what,
                   const RunContext& context, int threads) {
   constexpr double kFull = 0.99;
-  constexpr std::size_t kEnough = 50000;  // triangles that represent a shell of many
+  constexpr std::size_t kEnough = 25000;  // triangles that represent a shell of more
   const double r = solid.report.thickness;
   std::vector<TriangleId> shell;
   for (TriangleId t = 0; t < solid.region.size(); ++t)
     if (solid.region[t] == Region::kShell) shell.push_back(t);
   const std::size_t each = shellSamplesPerTriangle(shell.size());
-  if (const std::size_t step = shell.size() / kEnough; what == Measure::kRepresentative && step > 1) {
+  if (const std::size_t step = (shell.size() + kEnough - 1) / kEnough;
+      what == Measure::kRepresentative && step > 1) {
     for (std::size_t i = 0; step * i < shell.size(); ++i) shell[i] = shell[step * i];
     shell.resize((shell.size() + step - 1) / step);
   }
@@ -139,8 +140,8 @@ double areaOf(const TriangleMesh& mesh) {
   return area;
 }
 
-void measure(Solid& solid, const TriangleMesh& surface, const ClosestPointTree& tree, Measure what,
-             const RunContext& context, int threads) {
+void measure(Solid& solid, const TriangleMesh& surface, const ClosestPointTree& tree,
+             std::span<const double> known, Measure what, const RunContext& context, int threads) {
   Report& report = solid.report;
   report.triangles = solid.mesh.triangles.size();
   report.vertices = solid.mesh.positions.size();
@@ -156,7 +157,7 @@ void measure(Solid& solid, const TriangleMesh& surface, const ClosestPointTree& 
     else
       report.area = areaOf(solid.mesh);
   });
-  const auto distance = shellDistances(solid, tree, context, threads);
+  const auto distance = shellDistances(solid, tree, known, context, threads);
   measureShell(solid, tree, distance, what, context, threads);
   findThinnest(solid, distance);
   report.thinShare = thinShare(solid, surface);

@@ -23,9 +23,10 @@ namespace thicken {
 enum class Measure : std::uint8_t { kRepresentative, kAll };
 
 /// Fills the output part of `solid.report` from the mesh, its regions and its depths. `surface` is S as
-/// it was thickened, `tree` its tree. Shell points whose closest point lies on the rim belong to the
-/// wall and do not count as shell error (paper §4.2, Remark 4).
-void measure(Solid& solid, const TriangleMesh& surface, const ClosestPointTree& tree, Measure what,
-             const RunContext& context, int threads);
+/// it was thickened, `tree` its tree. `known`: the distance of the vertices of the shell from S where that is
+/// known already, mm, an entry for every vertex of the solid; else empty. Shell points whose closest point
+/// lies on the rim belong to the wall and do not count as shell error (paper §4.2, Remark 4).
+void measure(Solid& solid, const TriangleMesh& surface, const ClosestPointTree& tree,
+             std::span<const double> known, Measure what, const RunContext& context, int threads);
 
 }  // namespace thicken

@@ -12,7 +12,7 @@ ConflictTester::ConflictTester(const SweptMesh& mesh, const RunContext& context,
     : mesh_(mesh),
       context_(context),
       threads_(threads),
-      around_(vertexTriangles(mesh.positions.size(), mesh.triangles)),
+      around_(vertexTriangles(mesh.positions.size(), mesh.triangles, threads)),
       mark_(mesh.triangles.size(), 0),
       tree_(mesh.positions, mesh.triangles, threads) {}
 

@@ -41,6 +41,9 @@ class ConflictTester {
   /// not move.
   [[nodiscard]] Conflicts after(std::span<const std::uint32_t> moved, const Conflicts& before);
 
+  /// Of the leaves of the tree that the tests are made with.
+  [[nodiscard]] std::vector<TriangleId> order() const { return tree_.order(); }
+
   /// Copies that triangle `t` uses.
   template <class Visit>
   void forCopies(TriangleId t, Visit visit) const {

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "parallel_for.h"
+
 namespace thicken {
 
 namespace {
@@ -138,6 +140,14 @@ class EvenDirection {
   double weight_ = 0, altitude_ = 0;
 };
 
+// The rim edges that end at each vertex: two on the rim of a valid surface, else none.
+std::vector<std::array<std::uint32_t, 2>> rimEdgesAt(std::size_t vertexCount, const Rim& rim) {
+  std::vector<std::array<std::uint32_t, 2>> at(vertexCount, {kNone, kNone});
+  for (std::uint32_t i = 0; i < rim.edges.size(); ++i)
+    for (const VertexId v : {rim.edges[i].from, rim.edges[i].to}) at[v][at[v][0] == kNone ? 0 : 1] = i;
+  return at;
+}
+
 }  // namespace
 
 Vec3 minNormPoint(std::span<const Vec3> points) {
@@ -161,30 +171,37 @@ Vec3 minNormPoint(std::span<const Vec3> points) {
 }
 
 std::vector<SweepDirection> sweepDirections(const TriangleMesh& surface, std::span<const Vec3> faceNormal,
-                                            const VertexTriangles& around, const Rim& rim, double thickness) {
+                                            const VertexTriangles& around, const Rim& rim, double thickness,
+                                            int threads) {
   const std::size_t n = surface.positions.size();
-  std::vector<EvenDirection> even(n);
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-    const auto& [a, b, c] = surface.triangles[t];
-    const Vec3 &p = surface.positions[a], &q = surface.positions[b], &r = surface.positions[c];
-    const double area = (q - p).cross(r - p).norm();
-    const double longest = std::max({(q - p).norm(), (r - q).norm(), (p - r).norm()});
-    for (const VertexId v : surface.triangles[t]) even[v].addFace(faceNormal[t], area, area / longest);
-  }
-  for (const RimEdge& e : rim.edges) {
-    const Vec3 along = (surface.positions[e.to] - surface.positions[e.from]).stableNormalized();
-    const Vec3 conormal = along.cross(faceNormal[e.triangle]);
-    even[e.from].addRim(conormal);
-    even[e.to].addRim(conormal);
-  }
+  const auto rimAt = rimEdgesAt(n, rim);
+  const auto evenDirection = [&](VertexId v) {
+    EvenDirection even;
+    for (const TriangleId t : around.of(v)) {
+      const auto& [a, b, c] = surface.triangles[t];
+      const Vec3 &p = surface.positions[a], &q = surface.positions[b], &r = surface.positions[c];
+      const double area = (q - p).cross(r - p).norm();
+      const double longest = std::max({(q - p).norm(), (r - q).norm(), (p - r).norm()});
+      even.addFace(faceNormal[t], area, area / longest);
+    }
+    for (const std::uint32_t i : rimAt[v]) {
+      if (i == kNone) continue;
+      const RimEdge& e = rim.edges[i];
+      const Vec3 along = (surface.positions[e.to] - surface.positions[e.from]).stableNormalized();
+      even.addRim(along.cross(faceNormal[e.triangle]));
+    }
+    return even;
+  };
   std::vector<SweepDirection> direction(n);
-  std::vector<Vec3> normals;
-  for (std::size_t v = 0; v < n; ++v) {
+  constexpr std::size_t kGrain = 1024;
+  parallelFor(n, threads, RunContext(), kGrain, [&](std::size_t v) {
     const auto fan = around.of(static_cast<VertexId>(v));
-    if (fan.empty()) continue;
+    if (fan.empty()) return;
+    thread_local std::vector<Vec3> normals;
     normals.clear();
     for (const TriangleId t : fan) normals.push_back(faceNormal[t]);
-    Vec3 m = even[v].solve();
+    const EvenDirection even = evenDirection(static_cast<VertexId>(v));
+    Vec3 m = even.solve();
     double safety = smallestCosine(m, normals);
     if (!(safety >= kSafeCosine)) {
       const Vec3 hull = minNormPoint(normals);
@@ -196,9 +213,9 @@ std::vector<SweepDirection> sweepDirections(const TriangleMesh& surface, std::sp
         safety = 0;
       }
     }
-    if (const double most = even[v].longestMitre(m.norm(), thickness); m.norm() > most) m *= most / m.norm();
+    if (const double most = even.longestMitre(m.norm(), thickness); m.norm() > most) m *= most / m.norm();
     direction[v] = {m, safety};
-  }
+  });
   return direction;
 }
 

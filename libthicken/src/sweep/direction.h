@@ -26,7 +26,7 @@ inline constexpr double kLeastSafety = 0.05;
 [[nodiscard]] std::vector<SweepDirection> sweepDirections(const TriangleMesh& surface,
                                                           std::span<const Vec3> faceNormal,
                                                           const VertexTriangles& around, const Rim& rim,
-                                                          double thickness);
+                                                          double thickness, int threads);
 
 /// Point of least norm in the convex hull of `points`; zero when the hull holds the origin.
 [[nodiscard]] Vec3 minNormPoint(std::span<const Vec3> points);

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "measure/shell_samples.h"
+#include "mesh/buckets.h"
 #include "parallel_for.h"
 
 namespace thicken {
@@ -74,13 +75,24 @@ void polish(SweptMesh& mesh, const ClosestPointTree& tree, const RunContext& con
   const auto shell = wholeTriangles(mesh);
   const std::size_t each = shellSamplesPerTriangle(shell.size());
   std::vector<Sample> samples(each * shell.size());
+  std::vector<double> area(shell.size());  // twice
+  const auto corners =
+      intoBuckets<std::uint32_t>(  // of the triangles, by their copies: 3 · place in `shell` + corner
+          shell.size(), mesh.copies.size(), threads, [&](std::size_t i, const auto& put) {
+            for (std::uint32_t corner = 0; corner < 3; ++corner)
+              put(mesh.triangles[shell[i]][corner] - mesh.surfaceVertices,
+                  3 * static_cast<std::uint32_t>(i) + corner);
+          });
   std::vector<Vec3> start;
   for (const Copy& c : mesh.copies) start.push_back(c.offset);
   for (int round = 0; round < kRounds; ++round) {
     parallelFor(shell.size(), threads, context, 256, [&](std::size_t i) {
+      const Triangle& t = mesh.triangles[shell[i]];
+      area[i] = (mesh.positions[t[1]] - mesh.positions[t[0]])
+                    .cross(mesh.positions[t[2]] - mesh.positions[t[0]])
+                    .norm();
       const auto mine = std::span(samples).subspan(each * i, each);
       if (round > 0 && isSettled(mine, mesh.thickness)) return;
-      const Triangle& t = mesh.triangles[shell[i]];
       for (std::size_t k = 0; k < each; ++k) {
         const auto& w = kShellSamples[k];
         const Vec3 p =
@@ -91,26 +103,22 @@ void polish(SweptMesh& mesh, const ClosestPointTree& tree, const RunContext& con
                    c->distance - mesh.thickness};
       }
     });
-    std::vector<Quadric> quadric(mesh.copies.size());
-    for (std::size_t i = 0; i < shell.size(); ++i) {
-      const Triangle& t = mesh.triangles[shell[i]];
-      const double area = (mesh.positions[t[1]] - mesh.positions[t[0]])
-                              .cross(mesh.positions[t[2]] - mesh.positions[t[0]])
-                              .norm();
-      for (std::size_t k = 0; k < each; ++k)
-        for (int corner = 0; corner < 3; ++corner)
-          quadric[t[corner] - mesh.surfaceVertices].add(samples[each * i + k], kShellSamples[k][corner],
-                                                        area);
-    }
-    for (std::size_t i = 0; i < quadric.size(); ++i) {
+    // Each copy sums up in the order of the triangles, so that its place does not depend on the threads.
+    parallelFor(mesh.copies.size(), threads, context, 1024, [&](std::size_t i) {
       Copy& c = mesh.copies[i];
-      if (c.depth != 1 || c.dropped || c.safety < kSafe) continue;
-      const Vec3 moved = c.offset + kStep * quadric[i].step() - start[i];
+      if (c.depth != 1 || c.dropped || c.safety < kSafe) return;
+      Quadric quadric;
+      for (std::uint32_t at = corners.offset[i]; at < corners.offset[i + 1]; ++at) {
+        const std::size_t triangle = corners.values[at] / 3, corner = corners.values[at] % 3;
+        for (std::size_t k = 0; k < each; ++k)
+          quadric.add(samples[each * triangle + k], kShellSamples[k][corner], area[triangle]);
+      }
+      const Vec3 moved = c.offset + kStep * quadric.step() - start[i];
       const double reach = kReach * mesh.thickness;
       c.offset = start[i] + moved * std::min(1.0, reach / std::max(moved.norm(), reach * 1e-9));
       c.length = c.offset.norm();
       mesh.place(i);
-    }
+    });
   }
 }
 

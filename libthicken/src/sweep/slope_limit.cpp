@@ -5,7 +5,9 @@
 #include <queue>
 #include <utility>
 
+#include "mesh/buckets.h"
 #include "mesh/sort_unique.h"
+#include "parallel_for.h"
 
 namespace thicken {
 
@@ -13,30 +15,44 @@ namespace {
 
 // Largest change of the way per length of edge.
 constexpr double kSlope = 1.0;
+constexpr std::size_t kGrain = 4096;  // copies that a thread takes at a time
 
 }  // namespace
 
-CopyGraph copyGraph(const SweptMesh& mesh) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-  for (std::size_t t = mesh.surfaceTriangles; t < mesh.triangles.size(); ++t)
-    for (int k = 0; k < 3; ++k) {
-      const VertexId a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
-      if (!mesh.isCopy(a) || !mesh.isCopy(b)) continue;
-      const auto i = static_cast<std::uint32_t>(a - mesh.surfaceVertices);
-      const auto j = static_cast<std::uint32_t>(b - mesh.surfaceVertices);
-      edges.emplace_back(i, j);
-      edges.emplace_back(j, i);
-    }
-  sortUnique(edges);
+CopyGraph copyGraph(const SweptMesh& mesh, int threads) {
+  auto neighbours =
+      intoBuckets<std::uint32_t>(mesh.triangles.size() - mesh.surfaceTriangles, mesh.copies.size(), threads,
+                                 [&](std::size_t i, const auto& put) {
+                                   const Triangle& t = mesh.triangles[mesh.surfaceTriangles + i];
+                                   for (int k = 0; k < 3; ++k) {
+                                     const VertexId a = t[k], b = t[(k + 1) % 3];
+                                     if (!mesh.isCopy(a) || !mesh.isCopy(b)) continue;
+                                     const auto j = static_cast<std::uint32_t>(a - mesh.surfaceVertices);
+                                     const auto l = static_cast<std::uint32_t>(b - mesh.surfaceVertices);
+                                     put(j, l);
+                                     put(l, j);
+                                   }
+                                 });
+  // Each edge of two triangles comes twice: what is left of a bucket is moved to its front, then all
+  // together.
+  const std::vector<std::uint32_t>& first = neighbours.offset;
+  std::vector<std::uint32_t> count(mesh.copies.size());
+  parallelFor(count.size(), threads, RunContext(), kGrain, [&](std::size_t i) {
+    const auto begin = neighbours.values.begin() + first[i], end = neighbours.values.begin() + first[i + 1];
+    std::sort(begin, end);
+    count[i] = static_cast<std::uint32_t>(std::unique(begin, end) - begin);
+  });
   CopyGraph graph;
-  graph.offset.assign(mesh.copies.size() + 1, 0);
-  graph.links.reserve(edges.size());
-  for (const auto& [i, j] : edges) {
-    ++graph.offset[i + 1];
-    const double length = (mesh.positions[mesh.copies[i].base] - mesh.positions[mesh.copies[j].base]).norm();
-    graph.links.push_back({j, kSlope * length});
-  }
-  for (std::size_t i = 0; i < mesh.copies.size(); ++i) graph.offset[i + 1] += graph.offset[i];
+  graph.offset.resize(count.size() + 1);
+  for (std::size_t i = 0; i < count.size(); ++i) graph.offset[i + 1] = graph.offset[i] + count[i];
+  graph.links.resize(graph.offset.back());
+  parallelFor(count.size(), threads, RunContext(), kGrain, [&](std::size_t i) {
+    const Vec3& base = mesh.positions[mesh.copies[i].base];
+    for (std::uint32_t k = 0; k < count[i]; ++k) {
+      const std::uint32_t j = neighbours.values[first[i] + k];
+      graph.links[graph.offset[i] + k] = {j, kSlope * (base - mesh.positions[mesh.copies[j].base]).norm()};
+    }
+  });
   return graph;
 }
 
@@ -45,9 +61,17 @@ std::vector<std::uint32_t> limitSlope(SweptMesh& mesh, const CopyGraph& graph,
   using Entry = std::pair<double, std::uint32_t>;  // way, copy
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
   const auto wayOf = [&](std::uint32_t i) { return mesh.copies[i].depth * mesh.copies[i].length; };
+  // A copy that bounds none of its neighbours need not wait: it will not before it is lowered itself.
+  const auto bounds = [&](std::uint32_t i) {
+    const double way = wayOf(i);
+    return std::any_of(graph.links.begin() + graph.offset[i], graph.links.begin() + graph.offset[i + 1],
+                       [&](const CopyGraph::Link& link) {
+                         return !mesh.copies[link.copy].dropped && wayOf(link.copy) > way + link.slack;
+                       });
+  };
   if (from.empty()) {
     for (std::uint32_t i = 0; i < mesh.copies.size(); ++i)
-      if (!mesh.copies[i].dropped) open.emplace(wayOf(i), i);
+      if (!mesh.copies[i].dropped && bounds(i)) open.emplace(wayOf(i), i);
   } else {
     for (const std::uint32_t i : from)
       if (!mesh.copies[i].dropped) open.emplace(wayOf(i), i);

@@ -21,7 +21,7 @@ struct CopyGraph {
   std::vector<std::uint32_t> offset;
   std::vector<Link> links;
 };
-[[nodiscard]] CopyGraph copyGraph(const SweptMesh& mesh);
+[[nodiscard]] CopyGraph copyGraph(const SweptMesh& mesh, int threads);
 
 /// Lowers depths until every way (depth·length) is at most a linked copy's way plus their slack,
 /// starting from the copies `from` (their depths are taken as they are; empty: from all). Returns the

@@ -125,14 +125,19 @@ std::vector<std::uint32_t> copiesWithoutDirection(const SweptMesh& mesh) {
   return ids;
 }
 
-// Draws back, drops what stays in the way, and lets the rest advance again; returns the rounds.
-std::size_t settle(SweptMesh& mesh, const VertexTriangles& around, const RunContext& context, int threads) {
+struct Settled {
+  std::size_t rounds = 0;
+  std::vector<TriangleId> order;  // of the leaves of the tree that the last tests were made with
+};
+
+// Draws back, drops what stays in the way, and lets the rest advance again.
+Settled settle(SweptMesh& mesh, const VertexTriangles& around, const RunContext& context, int threads) {
   std::size_t rounds = 0;
   std::vector<double> goal(mesh.copies.size());
   std::vector<std::uint32_t> before;
   int repeats = 0;
   for (int refills = 0;; ++refills) {
-    const CopyGraph graph = copyGraph(mesh);
+    const CopyGraph graph = copyGraph(mesh, threads);
     limitSlope(mesh, graph, {});
     if (refills == 0)
       for (std::size_t i = 0; i < goal.size(); ++i) goal[i] = mesh.copies[i].depth;
@@ -143,7 +148,7 @@ std::size_t settle(SweptMesh& mesh, const VertexTriangles& around, const RunCont
     if (!result.buried.empty()) throwNoSolidAt(mesh, result.buried);
     if (result.stuck.empty()) {
       advance(mesh, graph, tester, goal, context);
-      return rounds;
+      return {rounds, tester.order()};
     }
     repeats = result.stuck == before ? repeats + 1 : 1;
     if (refills == kMostRefills || repeats == kMostRepeats) throwNoSolid(mesh, result.stuck);
@@ -185,10 +190,9 @@ std::vector<double> depthsOf(const SweptMesh& mesh, std::span<const double> dist
 }
 
 // Drops the positions that no triangle uses, except S's own, so that ids of S stay.
-SweepResult finish(const SweptMesh& mesh, const ClosestPointTree& tree, Side side, std::size_t rounds,
-                   const RunContext& context, int threads) {
+SweepResult finish(const SweptMesh& mesh, const ClosestPointTree& tree, Side side, const RunContext& context,
+                   int threads) {
   SweepResult result;
-  result.rounds = rounds;
   const std::vector<double> distance = copyDistances(mesh, tree, context, threads);
   result.depth = depthsOf(mesh, distance);
   std::vector<VertexId> to(mesh.positions.size());
@@ -215,10 +219,10 @@ SweepResult finish(const SweptMesh& mesh, const ClosestPointTree& tree, Side sid
 
 SweepResult sweep(const TriangleMesh& surface, const ClosestPointTree& tree, double thickness, Side side,
                   const RunContext& context, int threads, Polish polishing) {
-  const auto normal = faceNormals(surface.positions, surface.triangles);
-  const auto around = vertexTriangles(surface.positions.size(), surface.triangles);
-  const Rim rim = rimOf(surface.positions.size(), surface.triangles);
-  const auto direction = sweepDirections(surface, normal, around, rim, thickness);
+  const auto normal = faceNormals(surface.positions, surface.triangles, threads);
+  const auto around = vertexTriangles(surface.positions.size(), surface.triangles, threads);
+  const Rim rim = rimOf(surface.positions.size(), surface.triangles, threads);
+  const auto direction = sweepDirections(surface, normal, around, rim, thickness, threads);
   SweptMesh mesh = sweepMesh(surface, direction, rim, thickness, side);
   markBlockedRimCopies(mesh, around, rim);
   mergeFolds(mesh, around, copiesWithoutDirection(mesh));
@@ -227,8 +231,11 @@ SweepResult sweep(const TriangleMesh& surface, const ClosestPointTree& tree, dou
   setInitialDepths(mesh, tree, context, threads);
   for (std::size_t i = 0; i < mesh.copies.size(); ++i) mesh.place(i);
   if (polishing == Polish::kYes) polish(mesh, tree, context, threads);
-  const std::size_t rounds = settle(mesh, around, context, threads);
-  return finish(mesh, tree, side, rounds, context, threads);
+  Settled settled = settle(mesh, around, context, threads);
+  SweepResult result = finish(mesh, tree, side, context, threads);
+  result.rounds = settled.rounds;
+  if (side != Side::kBoth) result.order = std::move(settled.order);  // else S is no part of the result
+  return result;
 }
 
 }  // namespace thicken

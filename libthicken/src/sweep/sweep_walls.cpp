@@ -37,7 +37,7 @@ SweptMesh wallsOf(const SweptMesh& whole) {
 bool settleWalls(SweptMesh& walls, const ClosestPointTree& tree, std::size_t& rounds,
                  const RunContext& context, int threads) {
   setInitialDepths(walls, tree, context, threads);
-  const CopyGraph graph = copyGraph(walls);
+  const CopyGraph graph = copyGraph(walls, threads);
   limitSlope(walls, graph, {});
   std::vector<double> goal;
   for (std::size_t i = 0; i < walls.copies.size(); ++i) {
@@ -56,10 +56,10 @@ bool settleWalls(SweptMesh& walls, const ClosestPointTree& tree, std::size_t& ro
 
 std::optional<SweepResult> sweepWalls(const TriangleMesh& surface, const ClosestPointTree& tree,
                                       double thickness, const RunContext& context, int threads) {
-  const auto normal = faceNormals(surface.positions, surface.triangles);
-  const auto around = vertexTriangles(surface.positions.size(), surface.triangles);
-  const Rim rim = rimOf(surface.positions.size(), surface.triangles);
-  SweptMesh whole = sweepMesh(surface, sweepDirections(surface, normal, around, rim, thickness), rim,
+  const auto normal = faceNormals(surface.positions, surface.triangles, threads);
+  const auto around = vertexTriangles(surface.positions.size(), surface.triangles, threads);
+  const Rim rim = rimOf(surface.positions.size(), surface.triangles, threads);
+  SweptMesh whole = sweepMesh(surface, sweepDirections(surface, normal, around, rim, thickness, threads), rim,
                               thickness, Side::kNegative);
   markBlockedRimCopies(whole, around, rim);
   SweptMesh walls = wallsOf(whole);

@@ -60,6 +60,11 @@ SweptMesh sweepMesh(const TriangleMesh& surface, std::span<const SweepDirection>
   mesh.positions = surface.positions;
   mesh.triangles = surface.triangles;
   mesh.region.assign(surface.triangles.size(), Region::kOriginal);
+  const std::size_t shells = side == Side::kBoth ? 2 : 1, walls = 2 * shells * rim.edges.size();
+  mesh.copies.reserve(shells * surface.positions.size());
+  mesh.positions.reserve((1 + shells) * surface.positions.size());
+  mesh.triangles.reserve((1 + shells) * surface.triangles.size() + walls);
+  mesh.region.reserve((1 + shells) * surface.triangles.size() + walls);
   const VertexId behind = addShell(mesh, surface, direction, thickness, -1);
   for (const RimEdge& e : rim.edges) addWall(mesh, e, 0, behind);
   if (side == Side::kBoth) {
