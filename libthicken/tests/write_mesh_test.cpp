@@ -92,6 +92,24 @@ TEST(WriteMesh, WritesBinaryStlThatNobodyTakesForText) {
     EXPECT_EQ(number(134 + k), 0);  // no normal: the triangle is degenerate
 }
 
+// What ADMesh computes for needles, and calls an error in a file without it.
+TEST(WriteMesh, GivesNeedlesTheNormalsThatAdmeshFinds) {
+  const ScratchFolder folder;
+  const auto normalOf = [&](const Vec3& b, const Vec3& c) {
+    writeMesh(folder / "a.stl", {{{0, 0, 0}, b, c}, {{0, 1, 2}}});
+    const std::string bytes = bytesOf(folder / "a.stl");
+    Vec3 n;
+    for (std::size_t k = 0; k < 3; ++k)
+      n[static_cast<int>(k)] = std::bit_cast<float>(
+          std::array{bytes[84 + 4 * k], bytes[85 + 4 * k], bytes[86 + 4 * k], bytes[87 + 4 * k]});
+    return n;
+  };
+  const auto f = [](double x) { return static_cast<double>(static_cast<float>(x)); };
+  EXPECT_EQ(normalOf({f(0.1), 0, f(0.7)}, {f(0.11), 0, f(0.77)}), Vec3(0, 1, 0));  // in truth (0, −1, 0)
+  EXPECT_EQ(normalOf({f(1e-7), 0, 0}, {0, f(1e-7), 0}), Vec3(0, 0, 0));
+  EXPECT_TRUE(normalOf({f(1e30), 0, 0}, {0, f(1e30), 0}).isApprox(Vec3(0, 0, 1)));
+}
+
 TEST(WriteMesh, RefusesToRoundForStl) {
   const ScratchFolder folder;
   for (const double x : {0.1, 1e39, 1e-50}) {

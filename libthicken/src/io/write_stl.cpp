@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <Eigen/Geometry>
+#include <cmath>
 #include <limits>
 
 #include "io/byte_order.h"
@@ -31,6 +32,23 @@ void appendVector(std::string& bytes, const Vec3& v) {
   for (int k = 0; k < 3; ++k) appendLittle(bytes, static_cast<float>(v[k]));
 }
 
+// The unit normal as ADMesh finds it, which takes any other one for an error that it has to fix: from edges
+// in single precision, with one product of each pair rounded to it, and none where that is next to nothing.
+// Only needles have another one in truth; no reader can tell more of theirs from single precision.
+Vec3 storedNormal(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Eigen::Vector3f from = a.cast<float>(), u = b.cast<float>() - from, v = c.cast<float>() - from;
+  Vec3 rounded;
+  for (int k = 0; k < 3; ++k) {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    const auto product = static_cast<float>(double(u[i]) * v[j]);
+    rounded[k] = static_cast<float>(product - double(u[j]) * v[i]);
+  }
+  constexpr double kNothing = 1e-12;
+  const double length = rounded.norm();
+  if (!std::isfinite(length)) return (b - a).cross(c - a).stableNormalized();
+  return length < kNothing ? Vec3(Vec3::Zero()) : Vec3(rounded / length);
+}
+
 }  // namespace
 
 void writeStl(TargetFile& file, const TriangleMesh& mesh) {
@@ -40,7 +58,7 @@ void writeStl(TargetFile& file, const TriangleMesh& mesh) {
   appendLittle(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
   for (const Triangle& t : mesh.triangles) {
     const Vec3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
-    appendVector(bytes, (b - a).cross(c - a).stableNormalized());
+    appendVector(bytes, storedNormal(a, b, c));
     for (const Vec3* corner : {&a, &b, &c}) appendVector(bytes, *corner);
     appendLittle(bytes, std::uint16_t{0});  // attributes
     file.writeWhenLong(bytes);
