@@ -45,6 +45,10 @@ Corners moved(const Corners& t, const Vec3& by) {
   return {t[0] + by, t[1] + by, t[2] + by};
 }
 
+Vec3 normalOf(const Corners& t) {
+  return (t[1] - t[0]).cross(t[2] - t[0]).stableNormalized();
+}
+
 class ShellProof {
  public:
   ShellProof(const ClosestPointTree& tree, double r, Side side, double tolerance, double rounding)
@@ -63,10 +67,16 @@ class ShellProof {
   // An error that there is for certain, up to the tolerance.
   void expect(double error) { goal_ = std::min(tolerance_, (known_ = error) + tolerance_ / 8); }
 
+  // The corner that is farthest off, if any is by more than the tolerance: no part around it would be let
+  // pass, however small.
+  [[nodiscard]] ErrorBound cornerOff(const std::array<Corner, 3>& triangle) const {
+    return cornerOff(triangle, normalOf({triangle[0].at, triangle[1].at, triangle[2].at}));
+  }
+
   // The bound over one triangle of the shell, which faces out of the solid.
   [[nodiscard]] ErrorBound boundOf(const std::array<Corner, 3>& triangle) const {
     const Corners t = {triangle[0].at, triangle[1].at, triangle[2].at};
-    const Vec3 out = (t[1] - t[0]).cross(t[2] - t[0]).stableNormalized();
+    const Vec3 out = normalOf(t);
     ErrorBound bound{0, t[0]};
     std::vector<Part> waiting{{triangle}};
     for (std::size_t parts = 0; !waiting.empty(); ++parts) {
@@ -81,10 +91,20 @@ class ShellProof {
   }
 
  private:
-  static constexpr std::size_t kMostParts = 1000000;
+  static constexpr std::size_t kMostParts = 50000;
 
   static void raise(ErrorBound& bound, double to, const Vec3& place) {
     if (to > bound.most) bound = {to, place};
+  }
+
+  [[nodiscard]] ErrorBound cornerOff(const std::array<Corner, 3>& triangle, const Vec3& out) const {
+    ErrorBound bound{0, triangle[0].at};
+    for (const Corner& c : triangle) {
+      const bool isFar = c.distance - rounding_ > r_ + tolerance_;
+      const bool isNear = !c.onRim && c.distance + rounding_ < r_ - tolerance_ && !endsHalfway(c.at, out);
+      if (isFar || isNear) raise(bound, std::abs(c.distance - r_), c.at);
+    }
+    return bound;
   }
 
   // Whether no point is farther than asked, or that is still open; false where one is.
@@ -119,6 +139,10 @@ class ShellProof {
         return true;
       }
       if (!endsHalfway(t, middle, radius, out)) {
+        if (const ErrorBound off = cornerOff(part.corner, out); off.most > tolerance_) {
+          bound = off;
+          return false;
+        }
         const bool open = !last && radius > tolerance_ / 8;
         if (!open) bound = {error, middle};
         return open;
@@ -160,6 +184,14 @@ class ShellProof {
       if (endsNear(middle, tolerance_ - rounding_ - radius, way)) return true;
     }
     return false;
+  }
+
+  // The same for a point.
+  [[nodiscard]] bool endsHalfway(const Vec3& p, const Vec3& out) const {
+    if (!oneSided_) return false;
+    const auto c = tree_.closest(p);
+    const Vec3 away = (p - c->point).stableNormalized();
+    return endsNear(p, tolerance_, out) || endsNear(p, tolerance_, away);
   }
 
   // Whether ∂H is within `reach` of a point, on the straight line along `way`: some of it is in H, and some
@@ -257,15 +289,22 @@ ErrorBound boundShellError(const TriangleMesh& solid, std::span<const Region> re
       known = std::max(known, error);
   proof.expect(known);
 
-  std::vector<ErrorBound> bounds(shell.size());
-  parallelFor(shell.size(), threads, context, 64, [&](std::size_t i) {
-    const auto& [a, b, c] = solid.triangles[shell[i]];
-    bounds[i] = proof.boundOf({corner[a], corner[b], corner[c]});
-  });
-  ErrorBound worst;
-  for (const ErrorBound& bound : bounds)
-    if (bound.most > worst.most) worst = bound;
-  return worst;
+  const auto worstOf = [&](const auto& boundOf) {
+    std::vector<ErrorBound> bounds(shell.size());
+    parallelFor(shell.size(), threads, context, 64, [&](std::size_t i) {
+      const auto& [a, b, c] = solid.triangles[shell[i]];
+      bounds[i] = boundOf({corner[a], corner[b], corner[c]});
+    });
+    ErrorBound worst;
+    for (const ErrorBound& bound : bounds)
+      if (bound.most > worst.most) worst = bound;
+    return worst;
+  };
+  // Where a corner is off, there is nothing to prove.
+  const ErrorBound off =
+      worstOf([&](const std::array<Corner, 3>& triangle) { return proof.cornerOff(triangle); });
+  if (off.most > tolerance) return off;
+  return worstOf([&](const std::array<Corner, 3>& triangle) { return proof.boundOf(triangle); });
 }
 
 }  // namespace thicken

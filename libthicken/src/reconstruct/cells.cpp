@@ -64,11 +64,11 @@ double cellWidth(const TriangleMesh& surface, double area, const Options& option
     return w;
   }
   // r/6 is round to within 0.2 % nearly everywhere; coarser where that would take very many cells. A
-  // tolerance that asks for finer ones may have as many more.
-  const double usual = r / 6;
-  const double finest =
-      options.tolerance ? std::clamp(std::sqrt(3 * *options.tolerance * r), r / 20, usual) : usual;
-  const double byArea = std::sqrt(area / mostCells) * (finest / usual);
+  // tolerance that asks for finer ones may have up to four times as many; none helps with one that is out of
+  // reach.
+  const double usual = r / 6, wanted = std::sqrt(3 * options.tolerance.value_or(r) * r);
+  const double finest = wanted >= r / 20 ? std::min(wanted, usual) : usual;
+  const double byArea = std::sqrt(area / mostCells) * std::max(finest / usual, 0.5);
   return std::clamp(byArea, finest, r / 2.2);
 }
 
