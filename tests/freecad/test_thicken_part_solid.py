@@ -179,8 +179,8 @@ class Feature(DocumentCase):
 
 class Speed(DocumentCase):
     def test_beside_sewing(self):
-        """At least five times as fast as sewing, both timed here and now. Sewing falls back further with
-        the number of facets: bench_part_solid.py compares them at 20 000."""
-        facets, ours, theirs = compare(facets=3500)
+        """At least five times as fast as sewing, both timed here and now, the best of three. Sewing falls back further
+        with the number of facets: bench_part_solid.py compares them at 20 000."""
+        facets, ours, theirs = map(min, zip(*(compare(facets=3500) for _ in range(3))))
         self.assertGreater(facets, 3000)
         self.assertGreater(theirs, 5 * ours)
