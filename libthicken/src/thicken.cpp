@@ -85,8 +85,7 @@ void proveOrThrow(Solid& solid, const TriangleMesh& surface, Side side, const Ru
   d.place = bound.place;
   d.sentence = fmt::format(
       "the shell is up to {:.4g} mm from its definition near ({:.6g}, {:.6g}, {:.6g}), which is more than "
-      "the "
-      "tolerance of {:.4g} mm; ask for a larger tolerance or a smaller thickness",
+      "the tolerance of {:.4g} mm; ask for a larger tolerance or a smaller thickness",
       bound.most, d.place.x(), d.place.y(), d.place.z(), tolerance);
   const std::string sentence = d.sentence;
   throw Error(ErrorCode::kNoSolid, sentence, {std::move(d)});

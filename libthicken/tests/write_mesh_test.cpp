@@ -76,15 +76,17 @@ TEST(WriteMesh, GivesTheSameBytesEveryTime) {
   }
 }
 
+float floatAt(const std::string& bytes, std::size_t at) {
+  return std::bit_cast<float>(std::array{bytes[at], bytes[at + 1], bytes[at + 2], bytes[at + 3]});
+}
+
 TEST(WriteMesh, WritesBinaryStlThatNobodyTakesForText) {
   const ScratchFolder folder;
   writeMesh(folder / "a.stl", {{{0, 0, 0}, {2, 0, 0}, {0, 0, 2}, {0, 0, 2}}, {{0, 1, 2}, {0, 2, 3}}});
   const std::string bytes = bytesOf(folder / "a.stl");
   ASSERT_EQ(bytes.size(), 84u + 2 * 50u);
   EXPECT_FALSE(bytes.starts_with("solid"));
-  const auto number = [&bytes](std::size_t at) {
-    return std::bit_cast<float>(std::array{bytes[at], bytes[at + 1], bytes[at + 2], bytes[at + 3]});
-  };
+  const auto number = [&bytes](std::size_t at) { return floatAt(bytes, at); };
   EXPECT_EQ(number(84), 0);
   EXPECT_EQ(number(88), -1);
   EXPECT_EQ(number(92), 0);
@@ -98,11 +100,7 @@ TEST(WriteMesh, GivesNeedlesTheNormalsThatAdmeshFinds) {
   const auto normalOf = [&](const Vec3& b, const Vec3& c) {
     writeMesh(folder / "a.stl", {{{0, 0, 0}, b, c}, {{0, 1, 2}}});
     const std::string bytes = bytesOf(folder / "a.stl");
-    Vec3 n;
-    for (std::size_t k = 0; k < 3; ++k)
-      n[static_cast<int>(k)] = std::bit_cast<float>(
-          std::array{bytes[84 + 4 * k], bytes[85 + 4 * k], bytes[86 + 4 * k], bytes[87 + 4 * k]});
-    return n;
+    return Vec3(floatAt(bytes, 84), floatAt(bytes, 88), floatAt(bytes, 92));
   };
   const auto f = [](double x) { return static_cast<double>(static_cast<float>(x)); };
   EXPECT_EQ(normalOf({f(0.1), 0, f(0.7)}, {f(0.11), 0, f(0.77)}), Vec3(0, 1, 0));  // in truth (0, −1, 0)

@@ -43,10 +43,14 @@ struct Frame {
   }
 };
 
-// Distances of boxes carry the rounding of float products and sums, and axes that are orthonormal in
-// floats only; 1e-5 covers it many times over.
-constexpr float kShrink = 1 - 1e-5f;
 constexpr int kMostWaiting = 192;
+
+// What is farther than this by its lower bound, squared, is farther than `squaredDistance`. Lower bounds
+// carry the rounding of float products and sums, and axes that are orthonormal in floats only; 2e-5 covers it
+// many times over.
+float reachOf(double squaredDistance) {
+  return static_cast<float>(squaredDistance * (1 + 2e-5));
+}
 
 // Bit k: whether the k-th number is not above `most`; what is no number, by overflow, rules nothing out.
 template <class Four>
@@ -425,11 +429,12 @@ DistanceTree::Four DistanceTree::squaredDistances(const Leaf& leaf, const Corner
   return above.square() + beyond.square();
 }
 
-// Writes the children that may be nearer than `within`, farthest first; returns how many.
-int DistanceTree::put(const Node& n, const Four& squaredDistance, double within, Entry* to) {
+// Writes the children within reach, farthest first; returns how many.
+int DistanceTree::put(const Node& n, const Four& squaredDistance, float reach, Entry* to) {
   int m = 0;
-  for (int k = 0; k < kWidth; ++k) {
-    if (n.child[k] == kEmpty || squaredDistance[k] * kShrink > within) continue;
+  for (unsigned near = notAbove(squaredDistance, reach); near != 0; near &= near - 1) {
+    const int k = std::countr_zero(near);
+    if (n.child[k] == kEmpty) continue;
     int at = m++;
     for (; at > 0 && to[at - 1].d2 < squaredDistance[k]; --at) to[at] = to[at - 1];
     to[at] = {squaredDistance[k], n.child[k]};
@@ -441,12 +446,6 @@ bool DistanceTree::nearest(const Vec3& p, Hit& hit) const {
   if (nodes_.empty()) return false;
   const Vec3 q = p - centre_;
   const float x = static_cast<float>(q.x()), y = static_cast<float>(q.y()), z = static_cast<float>(q.z());
-  // What is farther than this by its lower bound, squared, is farther than the hit. Lower bounds carry the
-  // rounding of float products and sums, and axes that are orthonormal in floats only; 2e-5 covers it many
-  // times over.
-  const auto reachOf = [](double squaredDistance) {
-    return static_cast<float>(squaredDistance * (1 + 2e-5));
-  };
   const auto prefetch = [this](std::int32_t child) {
     const char* at = child < 0 ? reinterpret_cast<const char*>(&leaves_[static_cast<std::size_t>(-1 - child)])
                                : reinterpret_cast<const char*>(&nodes_[static_cast<std::size_t>(child)]);
@@ -475,21 +474,10 @@ bool DistanceTree::nearest(const Vec3& p, Hit& hit) const {
       }
     } else {
       const Node& n = nodes_[static_cast<std::size_t>(at)];
-      const Four d2 = squaredDistances(n, x, y, z);
-      Entry next[kWidth];
-      int m = 0;
-      for (unsigned near = notAbove(d2, reach); near != 0; near &= near - 1) {
-        const int k = std::countr_zero(near);
-        if (n.child[k] == kEmpty) continue;
-        int place = m++;
-        for (; place > 0 && next[place - 1].d2 < d2[k]; --place)
-          next[place] = next[place - 1];  // farthest first
-        next[place] = {d2[k], n.child[k]};
-      }
-      if (m > 0) {
-        for (int i = 0; i + 1 < m; ++i) stack[top++] = next[i];
-        if (m > 1) prefetch(next[m - 2].child);  // it is next unless the nearest one rules it out
-        at = next[m - 1].child;
+      if (const int m = put(n, squaredDistances(n, x, y, z), reach, stack + top); m > 0) {
+        top += m - 1;
+        if (m > 1) prefetch(stack[top - 1].child);  // it is next unless the nearest one rules it out
+        at = stack[top].child;
         continue;
       }
     }
@@ -512,22 +500,24 @@ bool DistanceTree::nearest(const PreparedTriangle& t,
   int top = 0;
   stack[top++] = {0, 0};
   bool found = false;
+  float reach = reachOf(squaredDistance);
   while (top > 0) {
     const Entry e = stack[--top];
-    if (e.d2 * kShrink > squaredDistance) continue;
+    if (e.d2 > reach) continue;
     if (e.child >= 0) {
       const Node& n = nodes_[static_cast<std::size_t>(e.child)];
-      top += put(n, squaredDistances(n, corners), squaredDistance, stack + top);
+      top += put(n, squaredDistances(n, corners), reach, stack + top);
       continue;
     }
     const Leaf& leaf = leaves_[static_cast<std::size_t>(-1 - e.child)];
-    const Four least = squaredDistances(leaf, corners) * kShrink;
+    const Four least = squaredDistances(leaf, corners);
     for (std::uint32_t k = 0; k < leaf.count; ++k) {
       const PreparedTriangle& own = prepared_[leaf.first + k];
-      if (least[k] > squaredDistance || (skip && skip(own))) continue;
+      if (least[k] > reach || (skip && skip(own))) continue;
       const double d2 = squaredGap(t, own, squaredDistance);
       if (d2 >= squaredDistance) continue;
       squaredDistance = d2;
+      reach = reachOf(d2);
       found = true;
     }
   }

@@ -66,7 +66,7 @@ class DistanceTree {
     float d2;
     std::int32_t child;
   };
-  [[nodiscard]] static int put(const Node& n, const Four& squaredDistance, double within, Entry* to);
+  [[nodiscard]] static int put(const Node& n, const Four& squaredDistance, float reach, Entry* to);
 
   [[nodiscard]] static Four squaredDistances(const Node& n, float x, float y, float z);
   [[nodiscard]] static Four squaredDistances(const Node& n, const Corners& t);

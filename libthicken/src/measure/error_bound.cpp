@@ -175,10 +175,7 @@ class ShellProof {
   // Whether ∂H is within the tolerance of all of the part.
   [[nodiscard]] bool endsHalfway(const Corners& t, const Vec3& middle, double radius, const Vec3& out) const {
     if (!oneSided_) return false;
-    const auto c = tree_.closest(middle);
-    const Vec3 away = (middle - c->point).stableNormalized();
-    const bool behind = (middle - c->point).dot(c->pseudonormal) < 0;
-    for (const Vec3& way : {out, behind ? away : Vec3(-away)}) {
+    for (const Vec3& way : {out, awayFromSheet(middle)}) {
       const Vec3 by = (tolerance_ - rounding_) * way;
       if (allInside(moved(t, -by)) && allOutside(moved(t, by))) return true;
       if (endsNear(middle, tolerance_ - rounding_ - radius, way)) return true;
@@ -189,9 +186,14 @@ class ShellProof {
   // The same for a point.
   [[nodiscard]] bool endsHalfway(const Vec3& p, const Vec3& out) const {
     if (!oneSided_) return false;
+    return endsNear(p, tolerance_, out) || endsNear(p, tolerance_, awayFromSheet(p));
+  }
+
+  // The way out of the solid, seen from the nearest place of S.
+  [[nodiscard]] Vec3 awayFromSheet(const Vec3& p) const {
     const auto c = tree_.closest(p);
-    const Vec3 away = (p - c->point).stableNormalized();
-    return endsNear(p, tolerance_, out) || endsNear(p, tolerance_, away);
+    const Vec3 from = p - c->point, away = from.stableNormalized();
+    return from.dot(c->pseudonormal) < 0 ? away : Vec3(-away);
   }
 
   // Whether ∂H is within `reach` of a point, on the straight line along `way`: some of it is in H, and some

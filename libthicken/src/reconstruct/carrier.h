@@ -19,7 +19,7 @@ struct Carrier {
   TriangleMesh mesh;           ///< S's vertices and triangles first
   VertexId firstDivided = 0;   ///< vertices from here on divide rim edges, rounded to float
   std::vector<Region> region;  ///< per triangle
-  std::vector<std::uint8_t> covered;  ///< per triangle of S: it has shell for it; empty: for none
+  std::vector<std::uint8_t> covered;  ///< per triangle of S: it has shell for it
   Rim rim;                     ///< its edges are no longer than asked, except those of S
   std::vector<Vec3> up;        ///< per vertex: from the end of a wall to where it hangs on S; else 0
 };

@@ -14,6 +14,7 @@
 #include "parallel_for.h"
 #include "reconstruct/attempt.h"
 #include "reconstruct/carrier.h"
+#include "reconstruct/shell_plan.h"
 #include "thicken/error.h"
 
 namespace thicken {
@@ -61,14 +62,6 @@ bool refine(const SweepResult& swept, const exact::BoxTree& shell, const Assembl
 void separateFans(const SweepResult& swept, std::vector<std::uint8_t>& keep) {
   openFans(swept.mesh, swept.region, keep);
   closeFans(swept.mesh, keep);
-}
-
-// Area of the sweep's shell that is left to the contour, mm².
-double openArea(const SweepResult& swept, std::span<const std::uint8_t> keep) {
-  double area = 0;
-  for (std::size_t t = 0; t < keep.size(); ++t)
-    if (!keep[t]) area += areaOf(swept.mesh.positions, swept.mesh.triangles[t]);
-  return area;
 }
 
 // Gives pieces of the sweep's shell near the triangles that meet over to the contour, with all that its own

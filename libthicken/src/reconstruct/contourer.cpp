@@ -81,7 +81,7 @@ void Contourer::startGrid() {
   onSurface_.emplace(grid_, surface_.positions, surface_.triangles, threads_);
   field_.emplace(grid_);
   beyondSurface_.clear();
-  covered_.clear();
+  covered_.assign(surface_.triangles.size(), 0);
   changed_.reset();
   last_.clear();
 }
@@ -122,8 +122,7 @@ void Contourer::forgetChanges(std::vector<Corners> beyondSurface, std::span<cons
                                 beyondSurface_.end(), std::back_inserter(changes), before);
   beyondSurface_ = std::move(beyondSurface);
   std::vector<std::uint8_t> marked(surface_.triangles.size(), 0);
-  for (std::size_t t = 0; t < marked.size(); ++t)
-    marked[t] = (covered_.empty() ? 0 : covered_[t]) != (covered.empty() ? 0 : covered[t]);
+  for (std::size_t t = 0; t < marked.size(); ++t) marked[t] = covered_[t] != covered[t];
   covered_.assign(covered.begin(), covered.end());
   changed_.reset();
   if (changes.empty() || field_->size() == 0) return;

@@ -2,7 +2,6 @@
 #include "reconstruct/covered.h"
 
 #include <algorithm>
-#include <array>
 
 namespace thicken {
 
@@ -36,10 +35,10 @@ std::vector<std::uint8_t> coveredTriangles(const TriangleMesh& surface, const Sw
     }
     copies.push_back({ascending(base), keep[t]});
   }
-  if (!any) return {};
+  std::vector<std::uint8_t> covered(surface.triangles.size(), 0);
+  if (!any) return covered;
   std::sort(copies.begin(), copies.end(),
             [](const BaseTriangle& a, const BaseTriangle& b) { return a.corners < b.corners; });
-  std::vector<std::uint8_t> covered(surface.triangles.size());
   for (std::size_t t = 0; t < covered.size(); ++t) {
     const Triangle own = ascending(surface.triangles[t]);
     const auto copy = std::lower_bound(copies.begin(), copies.end(), own,

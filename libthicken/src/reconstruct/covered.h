@@ -12,7 +12,7 @@
 namespace thicken {
 
 /// Per triangle of `surface`: 1 where its copy is among the triangles of `swept` that `keep` marks; where the
-/// sweep has none, 1 where all shell around it is kept. Empty where no shell is kept.
+/// sweep has none, 1 where all shell around it is kept.
 [[nodiscard]] std::vector<std::uint8_t> coveredTriangles(const TriangleMesh& surface,
                                                          const SweepResult& swept,
                                                          std::span<const std::uint8_t> keep);

@@ -63,8 +63,8 @@ ShellPlan planFor(const TriangleMesh& surface, const SweepResult& swept, std::sp
   const double longest = kMostAlongEdge * options.thickness / 2.2;
   for (TriangleId t = 0; t < errors.size(); ++t) {
     plan.keep.push_back(errors[t] <= error || longestEdge(swept.mesh, t) > longest);
-    if (!plan.keep[t]) plan.area += areaOf(swept.mesh.positions, swept.mesh.triangles[t]);
   }
+  plan.area = openArea(swept, plan.keep);
   if (plan.keepsAll()) return plan;
   plan.width = cellWidth(surface, plan.area, options, kManyBesideSweep);
   return plan;
@@ -106,6 +106,13 @@ double cellsOf(const TriangleMesh& mesh, const ShellPlan& plan) {
 }
 
 }  // namespace
+
+double openArea(const SweepResult& swept, std::span<const std::uint8_t> keep) {
+  double area = 0;
+  for (std::size_t t = 0; t < keep.size(); ++t)
+    if (!keep[t]) area += areaOf(swept.mesh.positions, swept.mesh.triangles[t]);
+  return area;
+}
 
 ShellPlan planShell(const TriangleMesh& surface, const SweepResult& swept, const ClosestPointTree& tree,
                     const Options& options, const RunContext& context, int threads) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "sweep/sweep.h"
@@ -25,5 +26,8 @@ struct ShellPlan {
 [[nodiscard]] ShellPlan planShell(const TriangleMesh& surface, const SweepResult& swept,
                                   const ClosestPointTree& tree, const Options& options,
                                   const RunContext& context, int threads);
+
+/// Area of the shell of `swept` that `keep` leaves to the contour, mm².
+[[nodiscard]] double openArea(const SweepResult& swept, std::span<const std::uint8_t> keep);
 
 }  // namespace thicken
