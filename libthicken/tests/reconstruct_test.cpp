@@ -7,6 +7,7 @@
 
 #include "plain_shapes.h"
 #include "reconstruct/diagonals.h"
+#include "reconstruct/strip_region.h"
 #include "thicken/error.h"
 #include "thicken/thicken.h"
 
@@ -137,6 +138,23 @@ TEST_F(Diagonals, RunAlongARoundEdge) {
 TEST_F(Diagonals, DoNotFoldAQuadThatIsNotConvex) {
   EXPECT_EQ(chosenFor({{-1, -1, 0}, {-0.5, 0.5, -1}, {1, 1, 0}, {-1, 1, -1}}),
             (std::vector<Triangle>{{1, 2, 3}, {1, 3, 0}}));
+}
+
+// A rim of four edges, 0 to 4; before it the contour's vertices 5, 6 and 7, with wall before 5 and 6, shell
+// before 6 and 7.
+TEST(StripRegion, IsWhatTheContourGoesOnAs) {
+  Assembly assembly;
+  assembly.mesh.positions.resize(10);
+  assembly.mesh.triangles = {{5, 6, 8}, {6, 7, 9}, {0, 1, 5}, {1, 6, 5},
+                             {1, 2, 6}, {2, 3, 6}, {3, 7, 6}, {3, 4, 7}};
+  constexpr std::uint32_t kStrip = Assembly::kStrip;
+  assembly.crossing = {0, 1, kStrip, kStrip, kStrip, kStrip, kStrip, kStrip};
+  assembly.region.assign(8, Region::kShell);
+  assembly.region[0] = Region::kWall;
+  labelStrip(assembly, 1);
+  const std::vector<Region> wanted = {Region::kWall, Region::kShell, Region::kWall,  Region::kWall,
+                                      Region::kWall, Region::kWall,  Region::kShell, Region::kShell};
+  EXPECT_EQ(assembly.region, wanted);
 }
 
 TEST(Reconstruct, NamesTheWidthThatFitsTheMemory) {

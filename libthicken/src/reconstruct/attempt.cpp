@@ -11,6 +11,7 @@
 #include "reconstruct/diagonals.h"
 #include "reconstruct/loose_parts.h"
 #include "reconstruct/shape.h"
+#include "reconstruct/strip_region.h"
 
 namespace thicken {
 
@@ -56,6 +57,7 @@ std::vector<TriangleId> Attempt::run(std::span<const std::uint8_t> keep, Stopwat
   std::vector<TriangleId> meeting = unsettled.empty() ? crowdedTriangles() : unsettled;
   if (meeting.empty()) {
     dropMisplaced(assembly_, threads_);
+    labelStrip(assembly_, threads_);
   } else {  // for the next attempt
     proved_.replace(assembly_.mesh, unsettled, threads_);
     contourer_.remember(std::move(contour.crossings));
