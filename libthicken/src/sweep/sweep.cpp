@@ -12,12 +12,14 @@
 #include <utility>
 
 #include "bvh/distance_tree.h"
+#include "bvh/spatial_order.h"
 #include "mesh/normals.h"
 #include "mesh/sort_unique.h"
 #include "mesh/topology.h"
 #include "parallel_for.h"
 #include "sweep/direction.h"
 #include "sweep/initial_depth.h"
+#include "sweep/nearby.h"
 #include "sweep/polish.h"
 #include "sweep/retreat.h"
 #include "sweep/shell_surgery.h"
@@ -163,9 +165,18 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 std::vector<double> copyDistances(const SweptMesh& mesh, const ClosestPointTree& tree,
                                   const RunContext& context, int threads) {
   std::vector<double> distance(mesh.copies.size(), kInfinite);
-  parallelFor(mesh.copies.size(), threads, context, 512, [&](std::size_t i) {
-    if (!mesh.copies[i].dropped) distance[i] = tree.distance(mesh.positions[mesh.vertexOf(i)]);
-  });
+  const std::vector<TriangleId> near = trianglesAtCopies(mesh);
+  SpatialOrder(near, tree, threads)
+      .query(
+          tree, 1, threads, context,
+          [&](std::uint32_t i, std::size_t, ClosestPointTree::Query& query) {
+            query.point = mesh.positions[mesh.vertexOf(i)];
+            query.hint = near[i];
+            return !mesh.copies[i].dropped;
+          },
+          [&](std::uint32_t i, std::size_t, const Vec3&, const ClosestPoint& c) {
+            distance[i] = c.distance;
+          });
   return distance;
 }
 
@@ -192,26 +203,33 @@ std::vector<double> depthsOf(const SweptMesh& mesh, std::span<const double> dist
 // Drops the positions that no triangle uses, except S's own, so that ids of S stay.
 SweepResult finish(const SweptMesh& mesh, const ClosestPointTree& tree, Side side, const RunContext& context,
                    int threads) {
+  constexpr std::size_t kGrain = 8192;
   SweepResult result;
   const std::vector<double> distance = copyDistances(mesh, tree, context, threads);
   result.depth = depthsOf(mesh, distance);
-  std::vector<VertexId> to(mesh.positions.size());
+  std::vector<VertexId> to(mesh.positions.size()), from;
+  from.reserve(to.size());
   for (VertexId v = 0; v < mesh.positions.size(); ++v) {
-    if (mesh.isCopy(v) && mesh.copyOf(v).dropped) {
-      ++result.droppedCopies;
-      continue;
-    }
-    to[v] = static_cast<VertexId>(result.mesh.positions.size());
-    result.mesh.positions.push_back(mesh.positions[v]);
-    result.base.push_back(mesh.isCopy(v) ? mesh.copyOf(v).base : v);
-    result.distance.push_back(mesh.isCopy(v) ? distance[v - mesh.surfaceVertices] : 0);
+    to[v] = static_cast<VertexId>(from.size());
+    if (!mesh.isCopy(v) || !mesh.copyOf(v).dropped) from.push_back(v);
   }
+  result.droppedCopies = to.size() - from.size();
+  result.mesh.positions.resize(from.size());
+  result.base.resize(from.size());
+  result.distance.resize(from.size());
+  parallelFor(from.size(), threads, context, kGrain, [&](std::size_t i) {
+    const VertexId v = from[i];
+    result.mesh.positions[i] = mesh.positions[v];
+    result.base[i] = mesh.isCopy(v) ? mesh.copyOf(v).base : v;
+    result.distance[i] = mesh.isCopy(v) ? distance[v - mesh.surfaceVertices] : 0;
+  });
   const std::size_t first = side == Side::kBoth ? mesh.surfaceTriangles : 0;  // S lies inside then
-  for (std::size_t t = first; t < mesh.triangles.size(); ++t) {
-    const auto& [a, b, c] = mesh.triangles[t];
-    result.mesh.triangles.push_back({to[a], to[b], to[c]});
-    result.region.push_back(mesh.region[t]);
-  }
+  result.mesh.triangles.resize(mesh.triangles.size() - first);
+  result.region.assign(mesh.region.begin() + static_cast<std::ptrdiff_t>(first), mesh.region.end());
+  parallelFor(result.mesh.triangles.size(), threads, context, kGrain, [&](std::size_t i) {
+    const auto& [a, b, c] = mesh.triangles[first + i];
+    result.mesh.triangles[i] = {to[a], to[b], to[c]};
+  });
   return result;
 }
 
