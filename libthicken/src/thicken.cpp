@@ -206,7 +206,7 @@ Solid provedSolid(const TriangleMesh& surface, const TriangleMesh& oriented, con
                   Stopwatch& watch) {
   context.enter(Stage::kSweeping, kChecked, kSwept);
   std::optional<Solid> better, swept;
-  std::vector<double> sweptDistance;
+  ShellDistances sweptShell;
   std::vector<TriangleId> sweptOrder;
   if (options.method == Method::kReconstruct) {
     better = reconstructedSolid(reconstruct(oriented, tree, options, context, threads, watch),
@@ -217,7 +217,7 @@ Solid provedSolid(const TriangleMesh& surface, const TriangleMesh& oriented, con
     watch.lap("sweep");
     if (options.method == Method::kAuto && side == Side::kNegative)
       better = deepenedSolid(oriented, tree, made, input, options, context, threads, watch);
-    sweptDistance = std::move(made.distance);
+    sweptShell = {std::move(made.distance), std::move(made.nearest)};
     sweptOrder = std::move(made.order);
     swept = sweptSolid(std::move(made), input, options, threads);
   }
@@ -228,9 +228,9 @@ Solid provedSolid(const TriangleMesh& surface, const TriangleMesh& oriented, con
   watch.lap("audit");
 
   context.enter(Stage::kMeasuring, kAudited, 1);
-  if (solid.report.method != Method::kSweep) sweptDistance.clear();  // another mesh than the sweep's
-  measure(solid, oriented, tree, sweptDistance, options.tolerance ? Measure::kAll : Measure::kRepresentative,
-          context, threads);
+  if (solid.report.method != Method::kSweep) sweptShell = {};  // another mesh than the sweep's
+  measure(solid, oriented, tree, std::move(sweptShell),
+          options.tolerance ? Measure::kAll : Measure::kRepresentative, context, threads);
   watch.lap("measure");
   return solid;
 }

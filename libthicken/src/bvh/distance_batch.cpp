@@ -92,19 +92,45 @@ void DistanceTree::nearest(std::span<const Vec3> points, std::span<Hit> hits) co
   }
   const Vec3 middle = (low + high) / 2;
   double radius = 0;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    radius = std::max(radius, (points[i] - middle).norm() + std::sqrt(hits[i].closest.squaredDistance));
-  const Part part(*this, middle - centre_, radius);
-  Entry stack[kMostWaiting];
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vec3 q = points[i] - centre_;
-    const float x = static_cast<float>(q.x()), y = static_cast<float>(q.y()), z = static_cast<float>(q.z());
-    const float reach = reachOf(hits[i].closest.squaredDistance);
-    int waiting = 0;
-    for (int k = 0; k < part.packs; ++k)
-      waiting = put(part.pack[k], squaredDistances(part.pack[k], x, y, z), reach, stack, waiting);
-    descend(points[i], stack, waiting, hits[i]);
+    if (!std::isfinite(hits[i].closest.squaredDistance)) nearest(points[i], hits[i]);
+    radius = std::max(radius, (points[i] - middle).norm() + std::sqrt(hits[i].closest.squaredDistance));
   }
+  const Part part(*this, middle - centre_, radius);
+  for (std::size_t i = 0; i < points.size(); ++i) search(part, points[i], hits[i]);
+}
+
+// The hit is near the answer already, so that children are looked at in any order: nodes first, then the
+// leaves that they lead to. Neither that nor how many children are in reach is a branch to be predicted.
+void DistanceTree::search(const Part& part, const Vec3& p, Hit& hit) const {
+  const Vec3 q = p - centre_;
+  const float x = static_cast<float>(q.x()), y = static_cast<float>(q.y()), z = static_cast<float>(q.z());
+  constexpr int kMostLeaves = 8;
+  std::int32_t nodes[kMostWaiting], leaves[Part::kMost + kMostLeaves + kWidth];
+  int nodeCount = 0, leafCount = 0;
+  float reach = reachOf(hit.closest.squaredDistance);
+  const auto open = [&](const Node& n) {
+    const unsigned near = notAbove(squaredDistances(n, x, y, z), reach);
+    for (int k = 0; k < kWidth; ++k) {
+      const std::int32_t child = n.child[k];
+      const bool isNear = ((near >> k) & 1u) != 0;
+      nodes[nodeCount] = child;
+      leaves[leafCount] = child;
+      nodeCount += isNear & (child >= 0) & (child != kEmpty);
+      leafCount += isNear & (child < 0);
+    }
+  };
+  const auto measureLeaves = [&] {
+    for (int i = 0; i < leafCount; ++i) measureLeaf(leaves[i], p, x, y, z, reach, hit);
+    leafCount = 0;
+  };
+  for (int k = 0; k < part.packs; ++k) open(part.pack[k]);
+  for (int i = 0; i < nodeCount; ++i) prefetch(nodes[i]);
+  while (nodeCount > 0) {
+    if (leafCount >= kMostLeaves) measureLeaves();
+    open(nodes_[static_cast<std::size_t>(nodes[--nodeCount])]);
+  }
+  measureLeaves();
 }
 
 }  // namespace thicken

@@ -68,4 +68,32 @@ inline int DistanceTree::put(const Node& n, const Four& squaredDistance, float r
   return m;
 }
 
+inline void DistanceTree::prefetch(std::int32_t child) const {
+  const char* at = child < 0 ? reinterpret_cast<const char*>(&leaves_[static_cast<std::size_t>(-1 - child)])
+                             : reinterpret_cast<const char*>(&nodes_[static_cast<std::size_t>(child)]);
+  for (int line = 0; line < 4; ++line) __builtin_prefetch(at + 64 * line);
+}
+
+// Improves `hit` by the triangles of a leaf, and `reach` with it; returns whether any was nearer.
+inline bool DistanceTree::measureLeaf(std::int32_t child, const Vec3& p, float x, float y, float z,
+                                      float& reach, Hit& hit) const {
+  const Leaf& leaf = leaves_[static_cast<std::size_t>(-1 - child)];
+  const Four least = squaredDistances(leaf, x, y, z);
+  bool found = false;
+  for (unsigned near = notAbove(least, reach) & ((1u << leaf.count) - 1); near != 0; near &= near - 1) {
+    const int k = std::countr_zero(near);
+    if (least[k] > reach) continue;  // of what was measured just before
+    const std::uint32_t i = leaf.first + static_cast<std::uint32_t>(k);
+    if (order_[i] == hit.triangle) continue;
+    const TriangleClosest c = closestOnTriangle(p, prepared_[i], hit.closest.squaredDistance);
+    if (c.squaredDistance < hit.closest.squaredDistance ||
+        (c.squaredDistance == hit.closest.squaredDistance && order_[i] < hit.triangle)) {
+      hit = {c, order_[i]};
+      reach = reachOf(c.squaredDistance);
+      found = true;
+    }
+  }
+  return found;
+}
+
 }  // namespace thicken

@@ -57,11 +57,6 @@ bool DistanceTree::nearest(const Vec3& p, Hit& hit) const {
 bool DistanceTree::descend(const Vec3& p, Entry* stack, int waiting, Hit& hit) const {
   const Vec3 q = p - centre_;
   const float x = static_cast<float>(q.x()), y = static_cast<float>(q.y()), z = static_cast<float>(q.z());
-  const auto prefetch = [this](std::int32_t child) {
-    const char* at = child < 0 ? reinterpret_cast<const char*>(&leaves_[static_cast<std::size_t>(-1 - child)])
-                               : reinterpret_cast<const char*>(&nodes_[static_cast<std::size_t>(child)]);
-    for (int line = 0; line < 4; ++line) __builtin_prefetch(at + 64 * line);
-  };
   float reach = reachOf(hit.closest.squaredDistance);
   bool found = false;
   for (;;) {
@@ -79,21 +74,7 @@ bool DistanceTree::descend(const Vec3& p, Entry* stack, int waiting, Hit& hit) c
       at = stack[waiting].child;
     }
     if (at >= 0) continue;
-    const Leaf& leaf = leaves_[static_cast<std::size_t>(-1 - at)];
-    const Four least = squaredDistances(leaf, x, y, z);
-    for (unsigned near = notAbove(least, reach) & ((1u << leaf.count) - 1); near != 0; near &= near - 1) {
-      const int k = std::countr_zero(near);
-      if (least[k] > reach) continue;  // of what was measured just before
-      const std::uint32_t i = leaf.first + static_cast<std::uint32_t>(k);
-      if (order_[i] == hit.triangle) continue;
-      const TriangleClosest c = closestOnTriangle(p, prepared_[i], hit.closest.squaredDistance);
-      if (c.squaredDistance < hit.closest.squaredDistance ||
-          (c.squaredDistance == hit.closest.squaredDistance && order_[i] < hit.triangle)) {
-        hit = {c, order_[i]};
-        reach = reachOf(c.squaredDistance);
-        found = true;
-      }
-    }
+    found |= measureLeaf(at, p, x, y, z, reach, hit);
   }
 }
 

@@ -79,7 +79,11 @@ class DistanceTree {
   };
   [[nodiscard]] static int put(const Node& n, const Four& squaredDistance, float reach, Entry* to, int m = 0);
   bool descend(const Vec3& p, Entry* stack, int waiting, Hit& hit) const;
+  void prefetch(std::int32_t child) const;
+  bool measureLeaf(std::int32_t child, const Vec3& p, float x, float y, float z, float& reach,
+                   Hit& hit) const;
   struct Part;
+  void search(const Part& part, const Vec3& p, Hit& hit) const;
 
   [[nodiscard]] static Four squaredDistances(const Node& n, float x, float y, float z);
   [[nodiscard]] static Four squaredDistances(const Node& n, const Corners& t);

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "parallel_for.h"
@@ -23,6 +24,12 @@ class SpatialOrder {
 
   /// `near`: a triangle of S for every item.
   SpatialOrder(std::span<const TriangleId> near, const ClosestPointTree& tree, int threads);
+
+  /// Leaves out the items that `isOut` is true of.
+  template <class IsOut>
+  void eraseIf(IsOut isOut) {
+    std::erase_if(items_, isOut);
+  }
 
   /// Calls work(items) for all of them, so many at a time, on any thread.
   template <class Work>

@@ -88,8 +88,7 @@ void polish(SweptMesh& mesh, const ClosestPointTree& tree, const RunContext& con
           });
   const std::vector<TriangleId> above = trianglesAbove(shell, mesh, threads);
   for (std::size_t i = 0; i < samples.size(); ++i) samples[i].nearest = above[i / each];
-  const SpatialOrder order(above, tree, threads);
-  std::vector<std::uint8_t> settled(shell.size());
+  SpatialOrder order(above, tree, threads);
   std::vector<Vec3> start;
   for (const Copy& c : mesh.copies) start.push_back(c.offset);
   for (int round = 0; round < kRounds; ++round) {
@@ -98,8 +97,11 @@ void polish(SweptMesh& mesh, const ClosestPointTree& tree, const RunContext& con
       area[i] = (mesh.positions[t[1]] - mesh.positions[t[0]])
                     .cross(mesh.positions[t[2]] - mesh.positions[t[0]])
                     .norm();
-      settled[i] = round > 0 && isSettled(std::span(samples).subspan(each * i, each), mesh.thickness);
     });
+    if (round > 0)  // they stay so: their points are not looked at again
+      order.eraseIf([&](std::uint32_t i) {
+        return isSettled(std::span(samples).subspan(each * i, each), mesh.thickness);
+      });
     order.query<kMostShellSamples>(
         tree, each, threads, context,
         [&](std::uint32_t i, std::size_t k, ClosestPointTree::Query& query) {
@@ -108,7 +110,7 @@ void polish(SweptMesh& mesh, const ClosestPointTree& tree, const RunContext& con
           query.point =
               w[0] * mesh.positions[t[0]] + w[1] * mesh.positions[t[1]] + w[2] * mesh.positions[t[2]];
           query.hint = samples[each * i + k].nearest;
-          return settled[i] == 0;
+          return true;
         },
         [&](std::uint32_t i, std::size_t k, const Vec3& p, const ClosestPoint& c) {
           const bool counts = !c.onRim && c.distance > kCutOff * mesh.thickness;

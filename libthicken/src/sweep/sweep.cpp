@@ -161,23 +161,28 @@ Settled settle(SweptMesh& mesh, const VertexTriangles& around, const RunContext&
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-// Distance of every copy from S; infinite for those that were dropped.
-std::vector<double> copyDistances(const SweptMesh& mesh, const ClosestPointTree& tree,
-                                  const RunContext& context, int threads) {
-  std::vector<double> distance(mesh.copies.size(), kInfinite);
-  const std::vector<TriangleId> near = trianglesAtCopies(mesh);
-  SpatialOrder(near, tree, threads)
+// What is nearest to every copy, and how far it is: infinitely far for copies that were dropped.
+struct Nearest {
+  std::vector<double> distance;
+  std::vector<TriangleId> triangle;
+};
+
+Nearest nearestToCopies(const SweptMesh& mesh, const ClosestPointTree& tree, const RunContext& context,
+                        int threads) {
+  Nearest nearest{std::vector<double>(mesh.copies.size(), kInfinite), trianglesAtCopies(mesh)};
+  SpatialOrder(nearest.triangle, tree, threads)
       .query(
           tree, 1, threads, context,
           [&](std::uint32_t i, std::size_t, ClosestPointTree::Query& query) {
             query.point = mesh.positions[mesh.vertexOf(i)];
-            query.hint = near[i];
+            query.hint = nearest.triangle[i];
             return !mesh.copies[i].dropped;
           },
           [&](std::uint32_t i, std::size_t, const Vec3&, const ClosestPoint& c) {
-            distance[i] = c.distance;
+            nearest.distance[i] = c.distance;
+            nearest.triangle[i] = c.triangle;
           });
-  return distance;
+  return nearest;
 }
 
 // Depth below each vertex of S: the distance of its copy from S, of two copies the lesser; without a
@@ -205,8 +210,8 @@ SweepResult finish(const SweptMesh& mesh, const ClosestPointTree& tree, Side sid
                    int threads) {
   constexpr std::size_t kGrain = 8192;
   SweepResult result;
-  const std::vector<double> distance = copyDistances(mesh, tree, context, threads);
-  result.depth = depthsOf(mesh, distance);
+  const Nearest nearest = nearestToCopies(mesh, tree, context, threads);
+  result.depth = depthsOf(mesh, nearest.distance);
   std::vector<VertexId> to(mesh.positions.size()), from;
   from.reserve(to.size());
   for (VertexId v = 0; v < mesh.positions.size(); ++v) {
@@ -217,11 +222,14 @@ SweepResult finish(const SweptMesh& mesh, const ClosestPointTree& tree, Side sid
   result.mesh.positions.resize(from.size());
   result.base.resize(from.size());
   result.distance.resize(from.size());
+  result.nearest.resize(from.size());
   parallelFor(from.size(), threads, context, kGrain, [&](std::size_t i) {
     const VertexId v = from[i];
     result.mesh.positions[i] = mesh.positions[v];
     result.base[i] = mesh.isCopy(v) ? mesh.copyOf(v).base : v;
-    result.distance[i] = mesh.isCopy(v) ? distance[v - mesh.surfaceVertices] : 0;
+    if (!mesh.isCopy(v)) return;
+    result.distance[i] = nearest.distance[v - mesh.surfaceVertices];
+    result.nearest[i] = nearest.triangle[v - mesh.surfaceVertices];
   });
   const std::size_t first = side == Side::kBoth ? mesh.surfaceTriangles : 0;  // S lies inside then
   result.mesh.triangles.resize(mesh.triangles.size() - first);
