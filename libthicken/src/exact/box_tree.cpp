@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <numeric>
 #include <utility>
 
@@ -40,6 +41,16 @@ struct Leaf {
   }
   // Bit i: whether box i overlaps.
   [[nodiscard]] unsigned overlaps(const FloatBox& other) const {
+#ifdef __SSE__
+    static_assert(kLeafSize == 4);
+    __m128 in = _mm_cmple_ps(_mm_loadu_ps(low[0]), _mm_set1_ps(other.high[0]));
+    in = _mm_and_ps(in, _mm_cmpge_ps(_mm_loadu_ps(high[0]), _mm_set1_ps(other.low[0])));
+    for (int k = 1; k < 3; ++k) {
+      in = _mm_and_ps(in, _mm_cmple_ps(_mm_loadu_ps(low[k]), _mm_set1_ps(other.high[k])));
+      in = _mm_and_ps(in, _mm_cmpge_ps(_mm_loadu_ps(high[k]), _mm_set1_ps(other.low[k])));
+    }
+    return static_cast<unsigned>(_mm_movemask_ps(in));
+#else
     unsigned bits = 0;
     for (std::uint32_t i = 0; i < kLeafSize; ++i) {
       bool all = true;
@@ -47,6 +58,7 @@ struct Leaf {
       bits |= static_cast<unsigned>(all) << i;
     }
     return bits;
+#endif
   }
 };
 
@@ -305,8 +317,8 @@ class SelfMeetings {
   }
 
   void test(std::uint32_t leafA, std::uint32_t i, std::uint32_t leafB, unsigned candidates, Found& found) {
-    for (std::uint32_t j = 0; candidates != 0; ++j, candidates >>= 1) {
-      if ((candidates & 1) == 0) continue;
+    for (; candidates != 0; candidates &= candidates - 1) {
+      const auto j = static_cast<std::uint32_t>(std::countr_zero(candidates));
       if (!maskOfSlot_.empty() &&
           (maskOfSlot_[kLeafSize * leafA + i] & maskOfSlot_[kLeafSize * leafB + j]) != 0)
         continue;
