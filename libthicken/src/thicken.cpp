@@ -26,11 +26,11 @@ namespace {
 // Shares of the progress at which the stages begin.
 constexpr double kChecked = 0.15, kSwept = 0.75, kAudited = 0.9;
 
-TriangleMesh stored(const TriangleMesh& surface, Precision precision) {
-  if (precision == Precision::kDouble) return weld(surface);
+TriangleMesh stored(const TriangleMesh& surface, Precision precision, int threads) {
+  if (precision == Precision::kDouble) return weld(surface, threads);
   TriangleMesh rounded = surface;
   for (Vec3& p : rounded.positions) p = roundToFloat(p);
-  return weld(rounded);
+  return weld(rounded, threads);
 }
 
 void throwDefects(std::vector<Defect> defects) {
@@ -333,7 +333,7 @@ Solid thickenKnown(const TriangleMesh& input, const Options& options, RunContext
   Stopwatch watch;
 
   context.enter(Stage::kChecking, 0, kChecked);
-  TriangleMesh given = stored(input, options.precision);
+  TriangleMesh given = stored(input, options.precision, threads);
   const std::size_t predicted = predictedBytes(given, options);
   context.reserve(predicted, "thicken a part of the surface at a time, or simplify it first");
   RepairResult surface = validSurface(std::move(given), options, context, threads, watch, known);
