@@ -90,6 +90,7 @@ void polish(SweptMesh& mesh, const ClosestPointTree& tree, const RunContext& con
   for (std::size_t i = 0; i < samples.size(); ++i) samples[i].nearest = above[i / each];
   SpatialOrder order(above, tree, threads);
   std::vector<Vec3> start;
+  start.reserve(mesh.copies.size());
   for (const Copy& c : mesh.copies) start.push_back(c.offset);
   for (int round = 0; round < kRounds; ++round) {
     parallelFor(shell.size(), threads, context, 1024, [&](std::size_t i) {

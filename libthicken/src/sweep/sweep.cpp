@@ -249,7 +249,7 @@ SweepResult sweep(const TriangleMesh& surface, const ClosestPointTree& tree, dou
   const auto around = vertexTriangles(surface.positions.size(), surface.triangles, threads);
   const Rim rim = rimOf(surface.positions.size(), surface.triangles, threads);
   const auto direction = sweepDirections(surface, normal, around, rim, thickness, threads);
-  SweptMesh mesh = sweepMesh(surface, direction, rim, thickness, side);
+  SweptMesh mesh = sweepMesh(surface, direction, rim, thickness, side, threads);
   markBlockedRimCopies(mesh, around, rim);
   mergeFolds(mesh, around, copiesWithoutDirection(mesh));
   const auto unserved = splitCopies(mesh, normal, around, thickness, copiesWithoutDirection(mesh));
