@@ -26,11 +26,11 @@ namespace {
 // Shares of the progress at which the stages begin.
 constexpr double kChecked = 0.15, kSwept = 0.75, kAudited = 0.9;
 
-TriangleMesh stored(const TriangleMesh& surface, Precision precision) {
-  if (precision == Precision::kDouble) return weld(surface);
+TriangleMesh stored(const TriangleMesh& surface, Precision precision, int threads) {
+  if (precision == Precision::kDouble) return weld(surface, threads);
   TriangleMesh rounded = surface;
   for (Vec3& p : rounded.positions) p = roundToFloat(p);
-  return weld(rounded);
+  return weld(rounded, threads);
 }
 
 void throwDefects(std::vector<Defect> defects) {
@@ -206,7 +206,7 @@ Solid provedSolid(const TriangleMesh& surface, const TriangleMesh& oriented, con
                   Stopwatch& watch) {
   context.enter(Stage::kSweeping, kChecked, kSwept);
   std::optional<Solid> better, swept;
-  std::vector<double> sweptDistance;
+  ShellDistances sweptShell;
   std::vector<TriangleId> sweptOrder;
   if (options.method == Method::kReconstruct) {
     better = reconstructedSolid(reconstruct(oriented, tree, options, context, threads, watch),
@@ -217,7 +217,7 @@ Solid provedSolid(const TriangleMesh& surface, const TriangleMesh& oriented, con
     watch.lap("sweep");
     if (options.method == Method::kAuto && side == Side::kNegative)
       better = deepenedSolid(oriented, tree, made, input, options, context, threads, watch);
-    sweptDistance = std::move(made.distance);
+    sweptShell = {std::move(made.distance), std::move(made.nearest)};
     sweptOrder = std::move(made.order);
     swept = sweptSolid(std::move(made), input, options, threads);
   }
@@ -228,9 +228,9 @@ Solid provedSolid(const TriangleMesh& surface, const TriangleMesh& oriented, con
   watch.lap("audit");
 
   context.enter(Stage::kMeasuring, kAudited, 1);
-  if (solid.report.method != Method::kSweep) sweptDistance.clear();  // another mesh than the sweep's
-  measure(solid, oriented, tree, sweptDistance, options.tolerance ? Measure::kAll : Measure::kRepresentative,
-          context, threads);
+  if (solid.report.method != Method::kSweep) sweptShell = {};  // another mesh than the sweep's
+  measure(solid, oriented, tree, std::move(sweptShell),
+          options.tolerance ? Measure::kAll : Measure::kRepresentative, context, threads);
   watch.lap("measure");
   return solid;
 }
@@ -333,7 +333,7 @@ Solid thickenKnown(const TriangleMesh& input, const Options& options, RunContext
   Stopwatch watch;
 
   context.enter(Stage::kChecking, 0, kChecked);
-  TriangleMesh given = stored(input, options.precision);
+  TriangleMesh given = stored(input, options.precision, threads);
   const std::size_t predicted = predictedBytes(given, options);
   context.reserve(predicted, "thicken a part of the surface at a time, or simplify it first");
   RepairResult surface = validSurface(std::move(given), options, context, threads, watch, known);

@@ -117,6 +117,36 @@ TEST(ClosestPoint, TakesTheLowestTriangleOfEquallyNearOnes) {
   }
 }
 
+TEST(ClosestPoint, AnswersManyPointsAsItAnswersOne) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const TriangleMesh s = heightField(40, random, 0.05, 0.1);
+  const ClosestPointTree tree(s);
+  std::uniform_int_distribution<TriangleId> any(0, static_cast<TriangleId>(s.triangles.size() - 1));
+  for (int group = 0; group < 300; ++group) {
+    const double spread = group % 3 == 0 ? 2 : 0.05;
+    const Vec3 middle(0.5 + 0.5 * unit(random), 0.5 + 0.5 * unit(random), 0.1 * unit(random));
+    std::vector<ClosestPointTree::Query> queries(static_cast<std::size_t>(1 + group % 70));
+    for (auto& q : queries) {
+      q.point = middle + spread * Vec3(unit(random), unit(random), unit(random));
+      if (group % 2 == 0) q.within = 0.05;
+      if (unit(random) > 0) q.hint = any(random);
+    }
+    std::vector<ClosestPoint> answers(queries.size());
+    tree.closest(queries, answers);
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+      const auto one = tree.closest(queries[i].point, queries[i].within);
+      ASSERT_EQ(one.has_value(), std::isfinite(answers[i].distance));
+      if (!one) continue;
+      EXPECT_EQ(one->triangle, answers[i].triangle);
+      EXPECT_EQ(one->distance, answers[i].distance);
+      EXPECT_EQ(one->point, answers[i].point);
+      EXPECT_EQ(one->pseudonormal, answers[i].pseudonormal);
+      EXPECT_EQ(one->onRim, answers[i].onRim);
+    }
+  }
+}
+
 TEST(ClosestPoint, MeasuresNeedlesAsTheirEdges) {
   TriangleMesh s;
   s.positions = {{0, 0, 0}, {1e4, 0, 0}, {5e3, 1e-9, 0}};

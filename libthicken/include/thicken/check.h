@@ -26,7 +26,7 @@ struct CheckResult {
 
 /// Makes corners with equal coordinates one vertex (−0 equals 0) and drops unused positions; the
 /// order of first use and of the triangles is kept. Triangles that lose a corner by it stay, as
-/// degenerate triangles that check() names.
-[[nodiscard]] TriangleMesh weld(const TriangleMesh& mesh);
+/// degenerate triangles that check() names. The same for any number of `threads` (0: all).
+[[nodiscard]] TriangleMesh weld(const TriangleMesh& mesh, int threads = 1);
 
 }  // namespace thicken

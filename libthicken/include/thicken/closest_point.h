@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "thicken/mesh.h"
 
@@ -40,6 +41,19 @@ class ClosestPointTree {
   /// triangles the one with the lowest id is taken.
   [[nodiscard]] std::optional<ClosestPoint> closest(
       const Vec3& p, double within = std::numeric_limits<double>::infinity()) const;
+
+  struct Query {
+    Vec3 point = Vec3::Zero();
+    double within = std::numeric_limits<double>::infinity();
+    std::optional<TriangleId> hint = {};  ///< a triangle that may be near; the answer does not depend on it
+  };
+  /// closest() for some points that lie close together, quicker than one by one. Where S is farther than
+  /// asked for, only the answer's `distance` is set, and is infinite.
+  void closest(std::span<const Query> queries, std::span<ClosestPoint> answers) const;
+
+  [[nodiscard]] std::size_t triangleCount() const;
+  /// The number of a triangle in an order in which neighbours are near each other.
+  [[nodiscard]] std::size_t placeOf(TriangleId t) const;
 
   /// ‖p − c(p)‖ without the feature; starts from the triangle `hint` of a neighbouring query.
   [[nodiscard]] double distance(const Vec3& p, std::optional<TriangleId> hint = {}) const;

@@ -24,6 +24,33 @@ struct ClosestPointTree::Impl {
         if (across[t][k] == kNone) rimVertex[triangles[t][k]] = rimVertex[triangles[t][(k + 1) % 3]] = 1;
   }
 
+  [[nodiscard]] ClosestPoint closestOf(const DistanceTree::Hit& hit) const {
+    const TriangleId t = hit.triangle;
+    const std::uint8_t k = hit.closest.corner;
+    ClosestPoint c;
+    c.point = hit.closest.point;
+    c.distance = std::sqrt(hit.closest.squaredDistance);
+    c.triangle = t;
+    c.feature = hit.closest.feature;
+    c.corner = k;
+    switch (c.feature) {
+      case Feature::kFace:
+        c.pseudonormal = faceNormal[t];
+        break;
+      case Feature::kEdge: {
+        const TriangleId other = across[t][k];
+        c.onRim = other == kNone;
+        c.pseudonormal = c.onRim ? faceNormal[t] : (faceNormal[t] + faceNormal[other]).stableNormalized();
+        break;
+      }
+      case Feature::kVertex:
+        c.onRim = rimVertex[triangles[t][k]] != 0;
+        c.pseudonormal = vertexNormal[triangles[t][k]];
+        break;
+    }
+    return c;
+  }
+
   std::vector<Triangle> triangles;
   DistanceTree tree;
   std::vector<std::array<TriangleId, 3>> across;
@@ -41,31 +68,40 @@ ClosestPointTree& ClosestPointTree::operator=(ClosestPointTree&&) noexcept = def
 std::optional<ClosestPoint> ClosestPointTree::closest(const Vec3& p, double within) const {
   DistanceTree::Hit hit{{Vec3::Zero(), within * within, Feature::kFace, 0}, kNone};
   if (!impl_->tree.nearest(p, hit)) return std::nullopt;
-  const Impl& s = *impl_;
-  const TriangleId t = hit.triangle;
-  const std::uint8_t k = hit.closest.corner;
-  ClosestPoint c;
-  c.point = hit.closest.point;
-  c.distance = std::sqrt(hit.closest.squaredDistance);
-  c.triangle = t;
-  c.feature = hit.closest.feature;
-  c.corner = k;
-  switch (c.feature) {
-    case Feature::kFace:
-      c.pseudonormal = s.faceNormal[t];
-      break;
-    case Feature::kEdge: {
-      const TriangleId other = s.across[t][k];
-      c.onRim = other == kNone;
-      c.pseudonormal = c.onRim ? s.faceNormal[t] : (s.faceNormal[t] + s.faceNormal[other]).stableNormalized();
-      break;
+  return impl_->closestOf(hit);
+}
+
+void ClosestPointTree::closest(std::span<const Query> queries, std::span<ClosestPoint> answers) const {
+  constexpr std::size_t kMost = 64;
+  const DistanceTree& tree = impl_->tree;
+  for (std::size_t begin = 0; begin < queries.size(); begin += kMost) {
+    const std::size_t count = std::min(kMost, queries.size() - begin);
+    Vec3 points[kMost];
+    DistanceTree::Hit hits[kMost];
+    for (std::size_t i = 0; i < count; ++i) {
+      const Query& q = queries[begin + i];
+      points[i] = q.point;
+      hits[i] = {{Vec3::Zero(), q.within * q.within, Feature::kFace, 0}, kNone};
+      if (!q.hint) continue;
+      const TriangleClosest c = tree.measure(q.point, *q.hint);
+      if (c.squaredDistance <= hits[i].closest.squaredDistance) hits[i] = {c, *q.hint};
     }
-    case Feature::kVertex:
-      c.onRim = s.rimVertex[s.triangles[t][k]] != 0;
-      c.pseudonormal = s.vertexNormal[s.triangles[t][k]];
-      break;
+    tree.nearest(std::span(points, count), std::span(hits, count));
+    for (std::size_t i = 0; i < count; ++i) {
+      if (hits[i].triangle != kNone)
+        answers[begin + i] = impl_->closestOf(hits[i]);
+      else
+        answers[begin + i].distance = std::numeric_limits<double>::infinity();
+    }
   }
-  return c;
+}
+
+std::size_t ClosestPointTree::placeOf(TriangleId t) const {
+  return impl_->tree.placeOf(t);
+}
+
+std::size_t ClosestPointTree::triangleCount() const {
+  return impl_->triangles.size();
 }
 
 double ClosestPointTree::distance(const Vec3& p, std::optional<TriangleId> hint) const {

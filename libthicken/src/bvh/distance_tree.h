@@ -31,6 +31,13 @@ class DistanceTree {
   /// with a lower id. Returns whether there was one.
   bool nearest(const Vec3& p, Hit& hit) const;
 
+  /// The same for each of some points that lie close together, quicker than one by one where the hits are
+  /// near the points already, by a triangle or a bound: what none of them can reach is ruled out once.
+  void nearest(std::span<const Vec3> points, std::span<Hit> hits) const;
+
+  /// The number of a triangle in the order of the leaves.
+  [[nodiscard]] std::uint32_t placeOf(TriangleId t) const { return placeOf_[t]; }
+
   /// Lowers `squaredDistance` to that of the nearest triangle to `t` which is nearer, and of which `skip`
   /// is not true. Returns whether there was one. `t` must not meet any of the triangles.
   bool nearest(const PreparedTriangle& t, const std::function<bool(const PreparedTriangle&)>& skip,
@@ -42,7 +49,7 @@ class DistanceTree {
  private:
   static constexpr int kWidth = 4;
   static constexpr std::uint32_t kLeafSize = kWidth;
-  struct alignas(16) Node {
+  struct alignas(64) Node {
     float middle[3][kWidth];     ///< of the box, from the centre of the mesh
     float axis[3][3][kWidth];    ///< of the box: normal and two tangents, orthonormal
     float half[3][kWidth];       ///< extent along each axis
@@ -50,12 +57,16 @@ class DistanceTree {
   };
   /// Four triangles as half-spaces: what lies above or below the plane, or beyond an edge, is at least as
   /// far as that says.
-  struct alignas(16) Leaf {
+  struct alignas(64) Leaf {
     float plane[4][4][kWidth];  ///< unit normal and height, then for each edge the way out and its height
     std::uint32_t first;        ///< of order_
     std::uint32_t count;
   };
   static constexpr std::int32_t kEmpty = INT32_MAX;
+
+  /// What waits in a query at most: three children for each level that Builder makes, and the boxes of a
+  /// Part.
+  static constexpr int kMostWaiting = 208;
 
   using Four = Eigen::Array<float, kWidth, 1>;
   struct Builder;
@@ -66,7 +77,13 @@ class DistanceTree {
     float d2;
     std::int32_t child;
   };
-  [[nodiscard]] static int put(const Node& n, const Four& squaredDistance, float reach, Entry* to);
+  [[nodiscard]] static int put(const Node& n, const Four& squaredDistance, float reach, Entry* to, int m = 0);
+  bool descend(const Vec3& p, Entry* stack, int waiting, Hit& hit) const;
+  void prefetch(std::int32_t child) const;
+  bool measureLeaf(std::int32_t child, const Vec3& p, float x, float y, float z, float& reach,
+                   Hit& hit) const;
+  struct Part;
+  void search(const Part& part, const Vec3& p, Hit& hit) const;
 
   [[nodiscard]] static Four squaredDistances(const Node& n, float x, float y, float z);
   [[nodiscard]] static Four squaredDistances(const Node& n, const Corners& t);

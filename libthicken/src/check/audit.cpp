@@ -31,13 +31,17 @@ struct Subject {
   std::vector<VertexId> given;  // the id that a vertex of the solid has outside of the audit
 };
 
-Subject welded(const TriangleMesh& solid, const TriangleMesh& surface) {
-  TriangleMesh both = solid;
+Subject welded(const TriangleMesh& solid, const TriangleMesh& surface, int threads) {
+  TriangleMesh both;
+  both.positions.reserve(solid.positions.size() + surface.positions.size());
+  both.triangles.reserve(solid.triangles.size() + surface.triangles.size());
+  both.positions = solid.positions;
+  both.triangles = solid.triangles;
   const auto first = static_cast<VertexId>(solid.positions.size());
   both.positions.insert(both.positions.end(), surface.positions.begin(), surface.positions.end());
   for (const Triangle& t : surface.triangles)
     both.triangles.push_back({first + t[0], first + t[1], first + t[2]});
-  Subject subject{weld(both), {}, {}};
+  Subject subject{weld(both, threads), {}, {}};
   auto& triangles = subject.solid.triangles;
   const auto end = triangles.begin() + static_cast<std::ptrdiff_t>(solid.triangles.size());
   subject.surface.assign(end, triangles.end());
@@ -53,7 +57,7 @@ class Auditor {
  public:
   Auditor(const TriangleMesh& solid, const TriangleMesh& surface, Side side, const RunContext& context,
           int threads, std::span<const TriangleId> order)
-      : subject_(welded(solid, surface)),
+      : subject_(welded(solid, surface, threads)),
         mesh_(subject_.solid),
         side_(side),
         context_(context),
@@ -103,6 +107,7 @@ class Auditor {
   }
 
   bool coordinatesFinite() {
+    if (std::ranges::all_of(mesh_.positions, isFinite)) return true;
     for (const Triangle& t : mesh_.triangles) {
       for (const VertexId v : t) {
         if (isFinite(mesh_.positions[v])) continue;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 
 #include "check/findings.h"
@@ -168,6 +169,7 @@ Defect selfIntersecting(const TriangleMesh& mesh, const Meetings& meetings) {
 }
 
 std::vector<VertexId> verticesNotFinite(const TriangleMesh& mesh) {
+  if (std::ranges::all_of(mesh.positions, isFinite)) return {};
   std::vector<std::uint8_t> bad(mesh.positions.size(), 0);
   for (const Triangle& t : mesh.triangles)
     for (const VertexId v : t)
@@ -192,7 +194,7 @@ CheckResult check(const TriangleMesh& mesh, RunContext context, int threads) {
     const HalfEdges edges(mesh.positions.size(), mesh.triangles, bad.joined, threads);
     context.throwIfCancelled();
     const BadJoints joints = badJoints(mesh, edges, context, threads);
-    result.facts = factsOf(mesh, joints, finite);
+    result.facts = factsOf(mesh, joints, finite, threads);
     if (mesh.triangles.empty()) result.defects.push_back(emptyDefect());
     if (!finite) result.defects.push_back(notFinite(mesh, unfit));
     if (!bad.withoutArea.empty() || !bad.duplicates.empty()) result.defects.push_back(degenerate(mesh, bad));

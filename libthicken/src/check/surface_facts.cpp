@@ -46,7 +46,7 @@ bool isFinite(const Vec3& p) {
   return true;
 }
 
-SurfaceFacts factsOf(const TriangleMesh& mesh, const BadJoints& joints, bool finite) {
+SurfaceFacts factsOf(const TriangleMesh& mesh, const BadJoints& joints, bool finite, int threads) {
   SurfaceFacts facts;
   facts.triangles = mesh.triangles.size();
   std::vector<std::uint8_t> used(mesh.positions.size(), 0);
@@ -55,7 +55,7 @@ SurfaceFacts factsOf(const TriangleMesh& mesh, const BadJoints& joints, bool fin
   for (const std::uint8_t u : used) facts.vertices += u;
   if (mesh.triangles.empty()) return facts;
   facts.rims = loopsOf(mesh.positions.size(), joints.rim);
-  facts.components = componentsOf(mesh.positions.size(), mesh.triangles).count;
+  facts.components = componentsOf(mesh.positions.size(), mesh.triangles, threads).count;
   facts.closed = joints.rim.empty() && joints.crowded.empty();
   if (finite) addSizes(mesh, facts);
   return facts;

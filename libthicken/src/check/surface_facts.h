@@ -13,6 +13,7 @@ namespace thicken {
 [[nodiscard]] bool isFinite(const Vec3& p);
 
 /// Sizes are left at 0 unless `finite`.
-[[nodiscard]] SurfaceFacts factsOf(const TriangleMesh& mesh, const BadJoints& joints, bool finite);
+[[nodiscard]] SurfaceFacts factsOf(const TriangleMesh& mesh, const BadJoints& joints, bool finite,
+                                   int threads);
 
 }  // namespace thicken

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <numeric>
 #include <utility>
 
 #include "exact/box_order.h"
+#include "exact/clear_fans.h"
 #include "exact/float_box.h"
 #include "exact/predicates.h"
 #include "exact/triangle_pair.h"
@@ -39,6 +41,16 @@ struct Leaf {
   }
   // Bit i: whether box i overlaps.
   [[nodiscard]] unsigned overlaps(const FloatBox& other) const {
+#ifdef __SSE__
+    static_assert(kLeafSize == 4);
+    __m128 in = _mm_cmple_ps(_mm_loadu_ps(low[0]), _mm_set1_ps(other.high[0]));
+    in = _mm_and_ps(in, _mm_cmpge_ps(_mm_loadu_ps(high[0]), _mm_set1_ps(other.low[0])));
+    for (int k = 1; k < 3; ++k) {
+      in = _mm_and_ps(in, _mm_cmple_ps(_mm_loadu_ps(low[k]), _mm_set1_ps(other.high[k])));
+      in = _mm_and_ps(in, _mm_cmpge_ps(_mm_loadu_ps(high[k]), _mm_set1_ps(other.low[k])));
+    }
+    return static_cast<unsigned>(_mm_movemask_ps(in));
+#else
     unsigned bits = 0;
     for (std::uint32_t i = 0; i < kLeafSize; ++i) {
       bool all = true;
@@ -46,6 +58,7 @@ struct Leaf {
       bits |= static_cast<unsigned>(all) << i;
     }
     return bits;
+#endif
   }
 };
 
@@ -195,9 +208,15 @@ namespace {
 // One simultaneous descent of the tree against itself.
 class SelfMeetings {
  public:
+  // `clearFan`: of each vertex (clearFans()).
   SelfMeetings(const std::vector<FloatBox>& box, const std::vector<Leaf>& leaves, const Geometry& geometry,
-               std::vector<Mask> maskOfSlot, std::size_t limit)
-      : box_(box), leaves_(leaves), geometry_(geometry), maskOfSlot_(std::move(maskOfSlot)), limit_(limit) {
+               std::vector<std::uint8_t> clearFan, std::vector<Mask> maskOfSlot, std::size_t limit)
+      : box_(box),
+        leaves_(leaves),
+        geometry_(geometry),
+        clearFan_(std::move(clearFan)),
+        maskOfSlot_(std::move(maskOfSlot)),
+        limit_(limit) {
     if (!maskOfSlot_.empty()) {
       maskOfNode_.resize(box.size());
       gatherMasks(root());
@@ -298,21 +317,29 @@ class SelfMeetings {
   }
 
   void test(std::uint32_t leafA, std::uint32_t i, std::uint32_t leafB, unsigned candidates, Found& found) {
-    for (std::uint32_t j = 0; candidates != 0; ++j, candidates >>= 1) {
-      if ((candidates & 1) == 0) continue;
+    for (; candidates != 0; candidates &= candidates - 1) {
+      const auto j = static_cast<std::uint32_t>(std::countr_zero(candidates));
       if (!maskOfSlot_.empty() &&
           (maskOfSlot_[kLeafSize * leafA + i] & maskOfSlot_[kLeafSize * leafB + j]) != 0)
         continue;
       const TriangleId a = leaves_[leafA].id[i], b = leaves_[leafB].id[j];
-      if (!geometry_.pairMeets(a, b)) continue;
+      if (shareClearFan(a, b) || !geometry_.pairMeets(a, b)) continue;
       found.push_back(ordered(a, b));
       limit_.count();
     }
   }
 
+  [[nodiscard]] bool shareClearFan(TriangleId a, TriangleId b) const {
+    const Triangle& of = geometry_.triangles[b];
+    for (const VertexId v : geometry_.triangles[a])
+      if ((v == of[0] || v == of[1] || v == of[2]) && clearFan_[v] != 0) return true;
+    return false;
+  }
+
   const std::vector<FloatBox>& box_;
   const std::vector<Leaf>& leaves_;
   Geometry geometry_;
+  std::vector<std::uint8_t> clearFan_;
   std::vector<Mask> maskOfSlot_, maskOfNode_;
   Limit limit_;
 };
@@ -329,14 +356,14 @@ bool namesAll(std::span<const TriangleId> order, std::span<const TriangleId> ids
 
 // A mask for every place in the leaves; empty when nothing is left out. Places of nobody have all bits.
 template <class MaskOf>
-std::vector<Mask> masksOf(const std::vector<Leaf>& leaves, MaskOf maskOf) {
+std::vector<Mask> masksOf(const std::vector<Leaf>& leaves, int threads, MaskOf maskOf) {
   std::vector<Mask> mask(kLeafSize * leaves.size());
-  for (std::size_t l = 0; l < leaves.size(); ++l) {
+  parallelFor(leaves.size(), threads, RunContext(), 4096, [&](std::size_t l) {
     for (std::uint32_t i = 0; i < kLeafSize; ++i) {
       const TriangleId t = leaves[l].id[i];
       mask[kLeafSize * l + i] = t == kNobody ? kFixed | kUnmoved : maskOf(t);
     }
-  }
+  });
   return mask;
 }
 
@@ -399,8 +426,10 @@ std::vector<TrianglePair> BoxTree::meetingPairs(std::span<const Vec3> positions,
   if (impl_->leaves.empty()) return {};
   std::vector<Mask> masks;
   if (!fixed.empty())
-    masks = masksOf(impl_->leaves, [fixed](TriangleId t) -> Mask { return fixed[t] != 0 ? kFixed : 0; });
-  return SelfMeetings(impl_->box, impl_->leaves, {positions, triangles}, std::move(masks), limit)
+    masks =
+        masksOf(impl_->leaves, threads, [fixed](TriangleId t) -> Mask { return fixed[t] != 0 ? kFixed : 0; });
+  return SelfMeetings(impl_->box, impl_->leaves, {positions, triangles},
+                      clearFans(positions, triangles, fixed, threads), std::move(masks), limit)
       .run(context, threads);
 }
 
@@ -416,10 +445,12 @@ std::vector<TrianglePair> BoxTree::meetingPairsWith(std::span<const TriangleId> 
   if (moved.size() > triangles.size() / 8) {
     std::vector<std::uint8_t> isMoved(triangles.size(), 0);
     for (const TriangleId t : moved) isMoved[t] = 1;
-    std::vector<Mask> masks = masksOf(impl_->leaves, [&](TriangleId t) -> Mask {
+    std::vector<Mask> masks = masksOf(impl_->leaves, threads, [&](TriangleId t) -> Mask {
       return (isMoved[t] != 0 ? 0 : kUnmoved) | (!fixed.empty() && fixed[t] != 0 ? kFixed : 0);
     });
-    return SelfMeetings(impl_->box, impl_->leaves, geometry, std::move(masks), 0).run(context, threads);
+    return SelfMeetings(impl_->box, impl_->leaves, geometry, clearFans(positions, triangles, fixed, threads),
+                        std::move(masks), 0)
+        .run(context, threads);
   }
 
   constexpr std::size_t kBlock = 64;

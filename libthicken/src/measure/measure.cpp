@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
+#include "bvh/spatial_order.h"
 #include "measure/shell_samples.h"
 #include "mesh/parallel_sort.h"
 #include "mesh/topology.h"
@@ -46,22 +48,29 @@ ErrorFacts summary(std::vector<Sample> samples, int threads) {
   return facts;
 }
 
-// Distance of every shell vertex from S, mm; infinite for other vertices.
-std::vector<double> shellDistances(const Solid& solid, const ClosestPointTree& tree,
-                                   std::span<const double> known, const RunContext& context, int threads) {
+ShellDistances shellDistances(const Solid& solid, const ClosestPointTree& tree, ShellDistances known,
+                              const RunContext& context, int threads) {
   std::vector<std::uint8_t> onShell(solid.mesh.positions.size(), 0);
   for (std::size_t t = 0; t < solid.region.size(); ++t)
     if (solid.region[t] == Region::kShell)
       for (const VertexId v : solid.mesh.triangles[t]) onShell[v] = 1;
-  std::vector<double> distance(onShell.size(), std::numeric_limits<double>::infinity());
+  const bool isKnown = !known.distance.empty();
+  known.distance.resize(onShell.size());
+  known.nearest.resize(onShell.size());
   parallelFor(onShell.size(), threads, context, 512, [&](std::size_t v) {
-    if (onShell[v]) distance[v] = known.empty() ? tree.distance(solid.mesh.positions[v]) : known[v];
+    if (!onShell[v]) {
+      known.distance[v] = std::numeric_limits<double>::infinity();
+    } else if (!isKnown) {
+      const auto c = tree.closest(solid.mesh.positions[v]);
+      known.distance[v] = c->distance;
+      known.nearest[v] = c->triangle;
+    }
   });
-  return distance;
+  return known;
 }
 
 // The error over the whole shell, and over the triangles whose corners are all as deep as asked.
-void measureShell(Solid& solid, const ClosestPointTree& tree, std::span<const double> distance, Measure what,
+void measureShell(Solid& solid, const ClosestPointTree& tree, const ShellDistances& known, Measure what,
                   const RunContext& context, int threads) {
   constexpr double kFull = 0.99;
   constexpr std::size_t kEnough = 25000;  // triangles that represent a shell of more
@@ -76,21 +85,31 @@ void measureShell(Solid& solid, const ClosestPointTree& tree, std::span<const do
     shell.resize((shell.size() + step - 1) / step);
   }
   std::vector<Sample> samples(each * shell.size());
-  parallelFor(shell.size(), threads, context, 512, [&](std::size_t i) {
+  std::vector<TriangleId> near(shell.size());
+  parallelFor(shell.size(), threads, context, 4096, [&](std::size_t i) {
     const Triangle& t = solid.mesh.triangles[shell[i]];
+    near[i] = known.nearest[t[0]];
     const double area = areaOf(solid.mesh.positions, t);
-    for (std::size_t k = 0; k < each; ++k) {
-      const auto& w = kShellSamples[k];
-      const Vec3 p = w[0] * solid.mesh.positions[t[0]] + w[1] * solid.mesh.positions[t[1]] +
-                     w[2] * solid.mesh.positions[t[2]];
-      const auto c = tree.closest(p);
-      samples[each * i + k] = {c->onRim ? -1 : std::abs(c->distance / r - 1), area / double(each)};
-    }
+    for (std::size_t k = 0; k < each; ++k) samples[each * i + k].weight = area / double(each);
   });
+  SpatialOrder(near, tree, threads)
+      .query<kMostShellSamples>(
+          tree, each, threads, context,
+          [&](std::uint32_t i, std::size_t k, ClosestPointTree::Query& query) {
+            const Triangle& t = solid.mesh.triangles[shell[i]];
+            const auto& w = kShellSamples[k];
+            query.point = w[0] * solid.mesh.positions[t[0]] + w[1] * solid.mesh.positions[t[1]] +
+                          w[2] * solid.mesh.positions[t[2]];
+            query.hint = near[i];
+            return true;
+          },
+          [&](std::uint32_t i, std::size_t k, const Vec3&, const ClosestPoint& c) {
+            samples[each * i + k].error = c.onRim ? -1 : std::abs(c.distance / r - 1);
+          });
   std::vector<Sample> full;
   for (std::size_t i = 0; i < shell.size(); ++i) {
     const Triangle& t = solid.mesh.triangles[shell[i]];
-    if (std::all_of(t.begin(), t.end(), [&](VertexId v) { return distance[v] >= kFull * r; }))
+    if (std::all_of(t.begin(), t.end(), [&](VertexId v) { return known.distance[v] >= kFull * r; }))
       full.insert(full.end(), &samples[each * i], &samples[each * i] + each);
   }
   solid.report.shellError = summary(std::move(samples), threads);
@@ -98,7 +117,7 @@ void measureShell(Solid& solid, const ClosestPointTree& tree, std::span<const do
 }
 
 // The thinnest wall is the least distance of a shell vertex from S.
-void findThinnest(Solid& solid, const std::vector<double>& distance) {
+void findThinnest(Solid& solid, std::span<const double> distance) {
   const auto least = std::min_element(distance.begin(), distance.end());
   if (least == distance.end() || !std::isfinite(*least)) return;
   solid.report.thinnestWall = *least;
@@ -140,8 +159,8 @@ double areaOf(const TriangleMesh& mesh) {
   return area;
 }
 
-void measure(Solid& solid, const TriangleMesh& surface, const ClosestPointTree& tree,
-             std::span<const double> known, Measure what, const RunContext& context, int threads) {
+void measure(Solid& solid, const TriangleMesh& surface, const ClosestPointTree& tree, ShellDistances known,
+             Measure what, const RunContext& context, int threads) {
   Report& report = solid.report;
   report.triangles = solid.mesh.triangles.size();
   report.vertices = solid.mesh.positions.size();
@@ -157,9 +176,9 @@ void measure(Solid& solid, const TriangleMesh& surface, const ClosestPointTree& 
     else
       report.area = areaOf(solid.mesh);
   });
-  const auto distance = shellDistances(solid, tree, known, context, threads);
-  measureShell(solid, tree, distance, what, context, threads);
-  findThinnest(solid, distance);
+  known = shellDistances(solid, tree, std::move(known), context, threads);
+  measureShell(solid, tree, known, what, context, threads);
+  findThinnest(solid, known.distance);
   report.thinShare = thinShare(solid, surface);
 }
 

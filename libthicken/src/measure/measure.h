@@ -22,11 +22,17 @@ namespace thicken {
 /// some tens of thousands, which have its mean and its 99th percentile as well.
 enum class Measure : std::uint8_t { kRepresentative, kAll };
 
+/// How far the vertices of a shell are from S, mm, and the triangle of S that is so far, by vertices of the
+/// solid; infinite for others.
+struct ShellDistances {
+  std::vector<double> distance;
+  std::vector<TriangleId> nearest;
+};
+
 /// Fills the output part of `solid.report` from the mesh, its regions and its depths. `surface` is S as
-/// it was thickened, `tree` its tree. `known`: the distance of the vertices of the shell from S where that is
-/// known already, mm, an entry for every vertex of the solid; else empty. Shell points whose closest point
-/// lies on the rim belong to the wall and do not count as shell error (paper §4.2, Remark 4).
-void measure(Solid& solid, const TriangleMesh& surface, const ClosestPointTree& tree,
-             std::span<const double> known, Measure what, const RunContext& context, int threads);
+/// it was thickened, `tree` its tree. `known`: what is known already, or nothing. Shell points whose closest
+/// point lies on the rim belong to the wall and do not count as shell error (paper §4.2, Remark 4).
+void measure(Solid& solid, const TriangleMesh& surface, const ClosestPointTree& tree, ShellDistances known,
+             Measure what, const RunContext& context, int threads);
 
 }  // namespace thicken

@@ -2,8 +2,12 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "mesh/topology.h"
+#include "parallel_for.h"
 #include "thicken/check.h"
 
 namespace thicken {
@@ -28,76 +32,95 @@ std::uint64_t hashOf(const Key& key) {
   return h;
 }
 
-// Open addressing over ids into the welded positions. Grows with what it holds: the corners of an
-// STL file are six times its vertices.
+// Open addressing over the ids of places, which grows with what it holds.
 class PlaceTable {
  public:
-  explicit PlaceTable(std::size_t expected) : slot_(std::bit_ceil(2 * expected + 2), kNone) {}
+  PlaceTable(std::span<const Vec3> places, std::span<const std::uint64_t> hashes, std::size_t expected)
+      : places_(places), hashes_(hashes), slot_(std::bit_ceil(2 * expected + 2), kNone) {}
 
-  // Brings the line that idOf() of a place with this hash looks at first into the cache.
-  void prefetch(std::uint64_t hash) const { __builtin_prefetch(&slot_[hash & (slot_.size() - 1)]); }
+  // Brings the line that firstOf() looks at first into the cache.
+  void prefetch(std::uint32_t id) const { __builtin_prefetch(&slot_[hashes_[id] & (slot_.size() - 1)]); }
 
-  // The id of `p`, whose hash is `hash`, among `positions`, to which it is added when it is new.
-  VertexId idOf(const Vec3& p, std::uint64_t hash, std::vector<Vec3>& positions) {
-    if (2 * positions.size() + 2 > slot_.size()) grow(positions);
-    const Key key = keyOf(p);
+  // The place that was asked for first of those that equal this one: the place itself when it is new.
+  std::uint32_t firstOf(std::uint32_t id) {
+    if (2 * count_ + 2 > slot_.size()) grow();
+    const Key key = keyOf(places_[id]);
     const std::size_t mask = slot_.size() - 1;
-    for (std::size_t i = hash & mask;; i = (i + 1) & mask) {
+    for (std::size_t i = hashes_[id] & mask;; i = (i + 1) & mask) {
       if (slot_[i] == kNone) {
-        slot_[i] = static_cast<VertexId>(positions.size());
-        positions.push_back(p);
-        return slot_[i];
+        ++count_;
+        return slot_[i] = id;
       }
-      if (keyOf(positions[slot_[i]]) == key) return slot_[i];
+      if (keyOf(places_[slot_[i]]) == key) return slot_[i];
     }
   }
 
  private:
-  void grow(const std::vector<Vec3>& positions) {
-    slot_.assign(2 * slot_.size(), kNone);
+  void grow() {
+    const std::vector<std::uint32_t> old = std::exchange(slot_, {});
+    slot_.assign(2 * old.size(), kNone);
     const std::size_t mask = slot_.size() - 1;
-    for (std::size_t v = 0; v < positions.size(); ++v) {
-      std::size_t i = hashOf(keyOf(positions[v])) & mask;
+    for (const std::uint32_t id : old) {
+      if (id == kNone) continue;
+      std::size_t i = hashes_[id] & mask;
       while (slot_[i] != kNone) i = (i + 1) & mask;
-      slot_[i] = static_cast<VertexId>(v);
+      slot_[i] = id;
     }
   }
 
-  std::vector<VertexId> slot_;
+  std::span<const Vec3> places_;
+  std::span<const std::uint64_t> hashes_;
+  std::size_t count_ = 0;
+  std::vector<std::uint32_t> slot_;
 };
+
+// Of each place the first that equals it. Places are shared out by their hashes, so that equal ones come to
+// one thread.
+std::vector<std::uint32_t> firstEqual(std::span<const Vec3> places, int threads) {
+  constexpr std::size_t kGrain = 8192, kAhead = 16;
+  std::vector<std::uint64_t> hashes(places.size());
+  parallelFor(places.size(), threads, RunContext(), kGrain,
+              [&](std::size_t i) { hashes[i] = hashOf(keyOf(places[i])); });
+  const std::size_t shares =
+      places.size() > kGrain ? std::min<std::size_t>(static_cast<std::size_t>(threadCount(threads)), 8) : 1;
+  std::vector<std::uint32_t> first(places.size());
+  parallelFor(shares, threads, RunContext(), 1, [&](std::size_t share) {
+    const auto isMine = [&](std::size_t i) { return (hashes[i] >> 32) % shares == share; };
+    PlaceTable table(places, hashes, places.size() / shares + places.size() / 16);
+    for (std::uint32_t i = 0; i < places.size(); ++i) {
+      if (i + kAhead < places.size() && isMine(i + kAhead)) table.prefetch(i + kAhead);
+      if (isMine(i)) first[i] = table.firstOf(i);
+    }
+  });
+  return first;
+}
 
 }  // namespace
 
-TriangleMesh weld(const TriangleMesh& mesh) {
+TriangleMesh weld(const TriangleMesh& mesh, int threads) {
+  // Places are numbered by their first use, so that the lowest of equal ones is used first.
+  std::vector<std::uint32_t> number(mesh.positions.size(), kNone);
+  std::vector<Vec3> places;
+  places.reserve(std::min(mesh.positions.size(), 3 * mesh.triangles.size()));
+  for (const Triangle& t : mesh.triangles)
+    for (const VertexId v : t)
+      if (number[v] == kNone) {
+        number[v] = static_cast<std::uint32_t>(places.size());
+        places.push_back(mesh.positions[v]);
+      }
+  const std::vector<std::uint32_t> first = firstEqual(places, threads);
   TriangleMesh result;
-  result.triangles.reserve(mesh.triangles.size());
-  // A surface has about half as many vertices as triangles.
-  PlaceTable table(std::min(mesh.positions.size(), mesh.triangles.size() / 2 + 64));
-  std::vector<VertexId> id(mesh.positions.size(), kNone);
-  // Looking places up is bound by cache misses; hashes are taken some triangles ahead to hide them.
-  constexpr std::size_t kAhead = 8;
-  std::array<std::array<std::uint64_t, 3>, kAhead> hashes;
-  const auto hash = [&](std::size_t t) {
-    for (int k = 0; k < 3; ++k) {
-      const VertexId v = mesh.triangles[t][k];
-      if (id[v] != kNone) continue;
-      hashes[t % kAhead][k] = hashOf(keyOf(mesh.positions[v]));
-      table.prefetch(hashes[t % kAhead][k]);
-    }
-  };
-  const std::size_t count = mesh.triangles.size();
-  for (std::size_t t = 0; t < std::min(kAhead, count); ++t) hash(t);
-  for (std::size_t t = 0; t < count; ++t) {
-    Triangle welded;
-    for (int k = 0; k < 3; ++k) {
-      const VertexId corner = mesh.triangles[t][k];
-      VertexId& v = id[corner];
-      if (v == kNone) v = table.idOf(mesh.positions[corner], hashes[t % kAhead][k], result.positions);
-      welded[k] = v;
-    }
-    result.triangles.push_back(welded);
-    if (t + kAhead < count) hash(t + kAhead);
+  result.positions.reserve(places.size());
+  std::vector<VertexId> id(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    id[i] = first[i] == i ? static_cast<VertexId>(result.positions.size()) : id[first[i]];
+    if (first[i] == i) result.positions.push_back(places[i]);
   }
+  result.triangles.resize(mesh.triangles.size());
+  parallelFor(result.triangles.size(), threads, RunContext(), 8192, [&](std::size_t t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    result.triangles[t] = {id[number[a]], id[number[b]], id[number[c]]};
+  });
   return result;
 }
 

@@ -3,6 +3,12 @@
 
 #include <unistd.h>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+#include <climits>
+
 namespace thicken::program {
 
 std::size_t machineMemory() noexcept {
@@ -10,6 +16,13 @@ std::size_t machineMemory() noexcept {
   const long size = sysconf(_SC_PAGESIZE);
   if (pages <= 0 || size <= 0) return 0;
   return static_cast<std::size_t>(pages) * static_cast<std::size_t>(size);
+}
+
+void keepFreedMemory() noexcept {
+#ifdef __GLIBC__
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the largest that there is
+  mallopt(M_TRIM_THRESHOLD, INT_MAX);
+#endif
 }
 
 }  // namespace thicken::program

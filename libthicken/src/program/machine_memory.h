@@ -8,4 +8,8 @@ namespace thicken::program {
 /// Bytes of memory that the machine has; 0 where it does not say.
 [[nodiscard]] std::size_t machineMemory() noexcept;
 
+/// Has the process keep what it frees for what it allocates next, instead of returning it to the machine and
+/// having every page zeroed again: that is a tenth of the time of a quick run.
+void keepFreedMemory() noexcept;
+
 }  // namespace thicken::program

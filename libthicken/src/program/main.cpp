@@ -9,6 +9,7 @@
 
 #include "program/arguments.h"
 #include "program/interrupt.h"
+#include "program/machine_memory.h"
 #include "program/messages.h"
 #include "program/run.h"
 
@@ -40,6 +41,7 @@ int fail(const Error& error, bool quiet) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  keepFreedMemory();
   bool quiet = false;
   try {
     return run(argc, argv, quiet);

@@ -5,6 +5,7 @@
 
 #include "exact/predicates.h"
 #include "mesh/sort_unique.h"
+#include "parallel_for.h"
 
 namespace thicken {
 
@@ -37,8 +38,12 @@ std::vector<TriangleId> ConflictTester::trianglesOf(std::span<const std::uint32_
 Conflicts ConflictTester::all() {
   Conflicts c;
   c.pairs = tree_.meetingPairs(mesh_.positions, mesh_.triangles, mesh_.fixed, context_, threads_);
-  for (auto t = static_cast<TriangleId>(mesh_.surfaceTriangles); t < mesh_.triangles.size(); ++t)
-    if (isFlat(t)) c.flat.push_back(t);
+  const std::size_t first = mesh_.surfaceTriangles;
+  std::vector<std::uint8_t> flat(mesh_.triangles.size() - first);
+  parallelFor(flat.size(), threads_, context_, 4096,
+              [&](std::size_t i) { flat[i] = isFlat(static_cast<TriangleId>(first + i)); });
+  for (std::size_t i = 0; i < flat.size(); ++i)
+    if (flat[i] != 0) c.flat.push_back(static_cast<TriangleId>(first + i));
   return c;
 }
 

@@ -2,9 +2,13 @@
 #include "sweep/initial_depth.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <span>
 
-#include "parallel_for.h"
+#include "bvh/spatial_order.h"
+#include "sweep/nearby.h"
 
 namespace thicken {
 
@@ -21,41 +25,71 @@ constexpr double kKeepFacing = 1.0;
 constexpr double kChain[] = {1.0 / 512, 1.0 / 64, 1.0 / 8, 1.0};
 constexpr int kBisections = 6;
 
-bool clear(const ClosestPointTree& tree, const Vec3& base, const Copy& copy, double h) {
-  const Vec3 p = base + h * copy.offset;
+// A copy on its way down.
+struct Way {
+  Copy* copy;
+  double good = 0, bad = 0;  // depths that are clear and not; 0: none yet
+  double next = 0;           // to be tried
+
   // The planes of the triangles around v are this far at best.
-  const double reach = h * copy.length * std::min(1.0, copy.safety);
-  const auto near = tree.closest(p, kKeepFacing * reach);
-  if (!near) return true;
-  if (near->distance < kKeep * reach) return false;
-  // `near` is closer than the whole way: fine where it is the same sheet, bumpy.
-  return near->pseudonormal.dot(copy.offset) * (p - near->point).dot(near->pseudonormal) >= 0;
+  [[nodiscard]] double reach() const { return next * copy->length * std::min(1.0, copy->safety); }
+  [[nodiscard]] bool isClear(const Vec3& p, const ClosestPoint& near) const {
+    if (!std::isfinite(near.distance)) return true;
+    if (near.distance < kKeep * reach()) return false;
+    // `near` is closer than the whole way: fine where it is the same sheet, bumpy.
+    return near.pseudonormal.dot(copy->offset) * (p - near.point).dot(near.pseudonormal) >= 0;
+  }
+};
+
+// Tries the next depth of copies that are close together.
+void tryNext(std::span<Way> ways, const SweptMesh& mesh, const ClosestPointTree& tree) {
+  std::array<ClosestPointTree::Query, SpatialOrder::kTogether> queries;
+  std::array<ClosestPoint, SpatialOrder::kTogether> answers;
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    const Way& w = ways[k];
+    queries[k].point = mesh.positions[w.copy->base] + w.next * w.copy->offset;
+    queries[k].within = kKeepFacing * w.reach();
+  }
+  tree.closest(std::span(queries).first(ways.size()), answers);
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    Way& w = ways[k];
+    (w.isClear(queries[k].point, answers[k]) ? w.good : w.bad) = w.next;
+  }
 }
 
-double initialDepth(const ClosestPointTree& tree, const Vec3& base, const Copy& copy) {
-  double good = 0, bad = 0;
+// Moves the ways that `stays` is true of to the front, and returns them.
+template <class Stays>
+std::span<Way> sift(std::span<Way> ways, Stays stays) {
+  return ways.first(static_cast<std::size_t>(std::partition(ways.begin(), ways.end(), stays) - ways.begin()));
+}
+
+void setDepths(const std::span<Way> ways, const SweptMesh& mesh, const ClosestPointTree& tree) {
+  std::span<Way> open = ways;
   for (const double h : kChain) {
-    if (!clear(tree, base, copy, h)) {
-      bad = h;
-      break;
-    }
-    good = h;
+    for (Way& w : open) w.next = h;
+    tryNext(open, mesh, tree);
+    open = sift(open, [](const Way& w) { return w.bad == 0; });
   }
-  if (bad == 0) return 1;
-  if (good == 0) return bad / 8;  // the exact tests decide from here on
-  for (int i = 0; i < kBisections; ++i) {
-    const double h = std::sqrt(good * bad);
-    (clear(tree, base, copy, h) ? good : bad) = h;
+  // Where nothing is clear the exact tests decide.
+  for (Way& w : ways) w.copy->depth = w.bad == 0 ? 1 : w.bad / 8;
+  open = sift(ways, [](const Way& w) { return w.bad != 0 && w.good != 0; });
+  for (int i = 0; i < kBisections && !open.empty(); ++i) {
+    for (Way& w : open) w.next = std::sqrt(w.good * w.bad);
+    tryNext(open, mesh, tree);
   }
-  return good;
+  for (Way& w : open) w.copy->depth = w.good;
 }
 
 }  // namespace
 
 void setInitialDepths(SweptMesh& mesh, const ClosestPointTree& tree, const RunContext& context, int threads) {
-  parallelFor(mesh.copies.size(), threads, context, 256, [&](std::size_t i) {
-    Copy& c = mesh.copies[i];
-    if (!c.dropped) c.depth = initialDepth(tree, mesh.positions[c.base], c);
+  const SpatialOrder order(trianglesAtCopies(mesh), tree, threads);
+  order.forGroups(threads, context, [&](std::span<const std::uint32_t> copies) {
+    std::array<Way, SpatialOrder::kTogether> ways;
+    std::size_t count = 0;
+    for (const std::uint32_t i : copies)
+      if (!mesh.copies[i].dropped) ways[count++] = {&mesh.copies[i]};
+    setDepths(std::span(ways).first(count), mesh, tree);
   });
 }
 

@@ -7,9 +7,11 @@
 #include <cmath>
 #include <span>
 
+#include "bvh/spatial_order.h"
 #include "measure/shell_samples.h"
 #include "mesh/buckets.h"
 #include "parallel_for.h"
+#include "sweep/nearby.h"
 
 namespace thicken {
 
@@ -30,6 +32,7 @@ constexpr double kCutOff = 0.9;
 struct Sample {
   Vec3 away = Vec3::Zero();  // unit, from the closest point; zero for a sample that does not count
   double excess = 0;         // distance − r, mm
+  TriangleId nearest = 0;    // of S
 };
 
 // Whether the points of a triangle are so near their place that another look changes nothing.
@@ -83,26 +86,38 @@ void polish(SweptMesh& mesh, const ClosestPointTree& tree, const RunContext& con
               put(mesh.triangles[shell[i]][corner] - mesh.surfaceVertices,
                   3 * static_cast<std::uint32_t>(i) + corner);
           });
+  const std::vector<TriangleId> above = trianglesAbove(shell, mesh, threads);
+  for (std::size_t i = 0; i < samples.size(); ++i) samples[i].nearest = above[i / each];
+  SpatialOrder order(above, tree, threads);
   std::vector<Vec3> start;
+  start.reserve(mesh.copies.size());
   for (const Copy& c : mesh.copies) start.push_back(c.offset);
   for (int round = 0; round < kRounds; ++round) {
-    parallelFor(shell.size(), threads, context, 256, [&](std::size_t i) {
+    parallelFor(shell.size(), threads, context, 1024, [&](std::size_t i) {
       const Triangle& t = mesh.triangles[shell[i]];
       area[i] = (mesh.positions[t[1]] - mesh.positions[t[0]])
                     .cross(mesh.positions[t[2]] - mesh.positions[t[0]])
                     .norm();
-      const auto mine = std::span(samples).subspan(each * i, each);
-      if (round > 0 && isSettled(mine, mesh.thickness)) return;
-      for (std::size_t k = 0; k < each; ++k) {
-        const auto& w = kShellSamples[k];
-        const Vec3 p =
-            w[0] * mesh.positions[t[0]] + w[1] * mesh.positions[t[1]] + w[2] * mesh.positions[t[2]];
-        const auto c = tree.closest(p);
-        const bool counts = !c->onRim && c->distance > kCutOff * mesh.thickness;
-        mine[k] = {counts ? Vec3((p - c->point) / c->distance) : Vec3(Vec3::Zero()),
-                   c->distance - mesh.thickness};
-      }
     });
+    if (round > 0)  // they stay so: their points are not looked at again
+      order.eraseIf([&](std::uint32_t i) {
+        return isSettled(std::span(samples).subspan(each * i, each), mesh.thickness);
+      });
+    order.query<kMostShellSamples>(
+        tree, each, threads, context,
+        [&](std::uint32_t i, std::size_t k, ClosestPointTree::Query& query) {
+          const Triangle& t = mesh.triangles[shell[i]];
+          const auto& w = kShellSamples[k];
+          query.point =
+              w[0] * mesh.positions[t[0]] + w[1] * mesh.positions[t[1]] + w[2] * mesh.positions[t[2]];
+          query.hint = samples[each * i + k].nearest;
+          return true;
+        },
+        [&](std::uint32_t i, std::size_t k, const Vec3& p, const ClosestPoint& c) {
+          const bool counts = !c.onRim && c.distance > kCutOff * mesh.thickness;
+          samples[each * i + k] = {counts ? Vec3((p - c.point) / c.distance) : Vec3(Vec3::Zero()),
+                                   c.distance - mesh.thickness, c.triangle};
+        });
     // Each copy sums up in the order of the triangles, so that its place does not depend on the threads.
     parallelFor(mesh.copies.size(), threads, context, 1024, [&](std::size_t i) {
       Copy& c = mesh.copies[i];

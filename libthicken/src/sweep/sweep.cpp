@@ -12,12 +12,14 @@
 #include <utility>
 
 #include "bvh/distance_tree.h"
+#include "bvh/spatial_order.h"
 #include "mesh/normals.h"
 #include "mesh/sort_unique.h"
 #include "mesh/topology.h"
 #include "parallel_for.h"
 #include "sweep/direction.h"
 #include "sweep/initial_depth.h"
+#include "sweep/nearby.h"
 #include "sweep/polish.h"
 #include "sweep/retreat.h"
 #include "sweep/shell_surgery.h"
@@ -159,14 +161,28 @@ Settled settle(SweptMesh& mesh, const VertexTriangles& around, const RunContext&
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-// Distance of every copy from S; infinite for those that were dropped.
-std::vector<double> copyDistances(const SweptMesh& mesh, const ClosestPointTree& tree,
-                                  const RunContext& context, int threads) {
-  std::vector<double> distance(mesh.copies.size(), kInfinite);
-  parallelFor(mesh.copies.size(), threads, context, 512, [&](std::size_t i) {
-    if (!mesh.copies[i].dropped) distance[i] = tree.distance(mesh.positions[mesh.vertexOf(i)]);
-  });
-  return distance;
+// What is nearest to every copy, and how far it is: infinitely far for copies that were dropped.
+struct Nearest {
+  std::vector<double> distance;
+  std::vector<TriangleId> triangle;
+};
+
+Nearest nearestToCopies(const SweptMesh& mesh, const ClosestPointTree& tree, const RunContext& context,
+                        int threads) {
+  Nearest nearest{std::vector<double>(mesh.copies.size(), kInfinite), trianglesAtCopies(mesh)};
+  SpatialOrder(nearest.triangle, tree, threads)
+      .query(
+          tree, 1, threads, context,
+          [&](std::uint32_t i, std::size_t, ClosestPointTree::Query& query) {
+            query.point = mesh.positions[mesh.vertexOf(i)];
+            query.hint = nearest.triangle[i];
+            return !mesh.copies[i].dropped;
+          },
+          [&](std::uint32_t i, std::size_t, const Vec3&, const ClosestPoint& c) {
+            nearest.distance[i] = c.distance;
+            nearest.triangle[i] = c.triangle;
+          });
+  return nearest;
 }
 
 // Depth below each vertex of S: the distance of its copy from S, of two copies the lesser; without a
@@ -192,26 +208,36 @@ std::vector<double> depthsOf(const SweptMesh& mesh, std::span<const double> dist
 // Drops the positions that no triangle uses, except S's own, so that ids of S stay.
 SweepResult finish(const SweptMesh& mesh, const ClosestPointTree& tree, Side side, const RunContext& context,
                    int threads) {
+  constexpr std::size_t kGrain = 8192;
   SweepResult result;
-  const std::vector<double> distance = copyDistances(mesh, tree, context, threads);
-  result.depth = depthsOf(mesh, distance);
-  std::vector<VertexId> to(mesh.positions.size());
+  const Nearest nearest = nearestToCopies(mesh, tree, context, threads);
+  result.depth = depthsOf(mesh, nearest.distance);
+  std::vector<VertexId> to(mesh.positions.size()), from;
+  from.reserve(to.size());
   for (VertexId v = 0; v < mesh.positions.size(); ++v) {
-    if (mesh.isCopy(v) && mesh.copyOf(v).dropped) {
-      ++result.droppedCopies;
-      continue;
-    }
-    to[v] = static_cast<VertexId>(result.mesh.positions.size());
-    result.mesh.positions.push_back(mesh.positions[v]);
-    result.base.push_back(mesh.isCopy(v) ? mesh.copyOf(v).base : v);
-    result.distance.push_back(mesh.isCopy(v) ? distance[v - mesh.surfaceVertices] : 0);
+    to[v] = static_cast<VertexId>(from.size());
+    if (!mesh.isCopy(v) || !mesh.copyOf(v).dropped) from.push_back(v);
   }
+  result.droppedCopies = to.size() - from.size();
+  result.mesh.positions.resize(from.size());
+  result.base.resize(from.size());
+  result.distance.resize(from.size());
+  result.nearest.resize(from.size());
+  parallelFor(from.size(), threads, context, kGrain, [&](std::size_t i) {
+    const VertexId v = from[i];
+    result.mesh.positions[i] = mesh.positions[v];
+    result.base[i] = mesh.isCopy(v) ? mesh.copyOf(v).base : v;
+    if (!mesh.isCopy(v)) return;
+    result.distance[i] = nearest.distance[v - mesh.surfaceVertices];
+    result.nearest[i] = nearest.triangle[v - mesh.surfaceVertices];
+  });
   const std::size_t first = side == Side::kBoth ? mesh.surfaceTriangles : 0;  // S lies inside then
-  for (std::size_t t = first; t < mesh.triangles.size(); ++t) {
-    const auto& [a, b, c] = mesh.triangles[t];
-    result.mesh.triangles.push_back({to[a], to[b], to[c]});
-    result.region.push_back(mesh.region[t]);
-  }
+  result.mesh.triangles.resize(mesh.triangles.size() - first);
+  result.region.assign(mesh.region.begin() + static_cast<std::ptrdiff_t>(first), mesh.region.end());
+  parallelFor(result.mesh.triangles.size(), threads, context, kGrain, [&](std::size_t i) {
+    const auto& [a, b, c] = mesh.triangles[first + i];
+    result.mesh.triangles[i] = {to[a], to[b], to[c]};
+  });
   return result;
 }
 
@@ -223,7 +249,7 @@ SweepResult sweep(const TriangleMesh& surface, const ClosestPointTree& tree, dou
   const auto around = vertexTriangles(surface.positions.size(), surface.triangles, threads);
   const Rim rim = rimOf(surface.positions.size(), surface.triangles, threads);
   const auto direction = sweepDirections(surface, normal, around, rim, thickness, threads);
-  SweptMesh mesh = sweepMesh(surface, direction, rim, thickness, side);
+  SweptMesh mesh = sweepMesh(surface, direction, rim, thickness, side, threads);
   markBlockedRimCopies(mesh, around, rim);
   mergeFolds(mesh, around, copiesWithoutDirection(mesh));
   const auto unserved = splitCopies(mesh, normal, around, thickness, copiesWithoutDirection(mesh));

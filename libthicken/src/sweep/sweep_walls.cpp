@@ -60,7 +60,7 @@ std::optional<SweepResult> sweepWalls(const TriangleMesh& surface, const Closest
   const auto around = vertexTriangles(surface.positions.size(), surface.triangles, threads);
   const Rim rim = rimOf(surface.positions.size(), surface.triangles, threads);
   SweptMesh whole = sweepMesh(surface, sweepDirections(surface, normal, around, rim, thickness, threads), rim,
-                              thickness, Side::kNegative);
+                              thickness, Side::kNegative, threads);
   markBlockedRimCopies(whole, around, rim);
   SweptMesh walls = wallsOf(whole);
   for (const Copy& c : walls.copies)

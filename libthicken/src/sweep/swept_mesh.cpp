@@ -2,6 +2,7 @@
 #include "sweep/swept_mesh.h"
 
 #include "mesh/float_lattice.h"
+#include "parallel_for.h"
 
 namespace thicken {
 
@@ -10,22 +11,26 @@ namespace {
 // Adds one copy of every vertex, `sign`·r·m away, and the copied triangles. Behind S they are
 // reversed, so that they face away from the solid.
 VertexId addShell(SweptMesh& mesh, const TriangleMesh& surface, std::span<const SweepDirection> direction,
-                  double thickness, double sign) {
-  const auto first = static_cast<VertexId>(mesh.surfaceVertices + mesh.copies.size());
-  for (VertexId v = 0; v < surface.positions.size(); ++v) {
-    Copy c;
-    c.base = v;
+                  double thickness, double sign, int threads) {
+  constexpr std::size_t kGrain = 8192;
+  const std::size_t firstCopy = mesh.copies.size(), firstTriangle = mesh.triangles.size();
+  const auto first = static_cast<VertexId>(mesh.surfaceVertices + firstCopy);
+  mesh.copies.resize(firstCopy + surface.positions.size());
+  mesh.positions.insert(mesh.positions.end(), surface.positions.begin(), surface.positions.end());
+  parallelFor(surface.positions.size(), threads, RunContext(), kGrain, [&](std::size_t v) {
+    Copy& c = mesh.copies[firstCopy + v];
+    c.base = static_cast<VertexId>(v);
     c.offset = sign * thickness * direction[v].m;
     c.length = c.offset.norm();
     c.safety = direction[v].safety;
-    mesh.copies.push_back(c);
-    mesh.positions.push_back(surface.positions[v]);
-  }
-  for (const auto& [a, b, c] : surface.triangles) {
-    mesh.triangles.push_back(sign < 0 ? Triangle{first + c, first + b, first + a}
-                                      : Triangle{first + a, first + b, first + c});
-    mesh.region.push_back(Region::kShell);
-  }
+  });
+  mesh.triangles.resize(firstTriangle + surface.triangles.size());
+  parallelFor(surface.triangles.size(), threads, RunContext(), kGrain, [&](std::size_t t) {
+    const auto& [a, b, c] = surface.triangles[t];
+    mesh.triangles[firstTriangle + t] =
+        sign < 0 ? Triangle{first + c, first + b, first + a} : Triangle{first + a, first + b, first + c};
+  });
+  mesh.region.insert(mesh.region.end(), surface.triangles.size(), Region::kShell);
   return first;
 }
 
@@ -52,23 +57,23 @@ void SweptMesh::place(std::size_t copy) {
 }
 
 SweptMesh sweepMesh(const TriangleMesh& surface, std::span<const SweepDirection> direction, const Rim& rim,
-                    double thickness, Side side) {
+                    double thickness, Side side, int threads) {
   SweptMesh mesh;
   mesh.surfaceVertices = surface.positions.size();
   mesh.surfaceTriangles = surface.triangles.size();
   mesh.thickness = thickness;
-  mesh.positions = surface.positions;
-  mesh.triangles = surface.triangles;
-  mesh.region.assign(surface.triangles.size(), Region::kOriginal);
   const std::size_t shells = side == Side::kBoth ? 2 : 1, walls = 2 * shells * rim.edges.size();
   mesh.copies.reserve(shells * surface.positions.size());
   mesh.positions.reserve((1 + shells) * surface.positions.size());
   mesh.triangles.reserve((1 + shells) * surface.triangles.size() + walls);
   mesh.region.reserve((1 + shells) * surface.triangles.size() + walls);
-  const VertexId behind = addShell(mesh, surface, direction, thickness, -1);
+  mesh.positions = surface.positions;  // with room for all of it
+  mesh.triangles = surface.triangles;
+  mesh.region.assign(surface.triangles.size(), Region::kOriginal);
+  const VertexId behind = addShell(mesh, surface, direction, thickness, -1, threads);
   for (const RimEdge& e : rim.edges) addWall(mesh, e, 0, behind);
   if (side == Side::kBoth) {
-    const VertexId before = addShell(mesh, surface, direction, thickness, 1);
+    const VertexId before = addShell(mesh, surface, direction, thickness, 1, threads);
     for (const RimEdge& e : rim.edges) addWall(mesh, e, before, 0);
   }
   mesh.fixed.assign(mesh.triangles.size(), 0);

@@ -50,6 +50,6 @@ struct SweptMesh {
 /// The sweep of `surface` to depth 1 on `side` (kNegative or kBoth; the caller reverses S for
 /// kPositive). `thickness` in mm.
 [[nodiscard]] SweptMesh sweepMesh(const TriangleMesh& surface, std::span<const SweepDirection> direction,
-                                  const Rim& rim, double thickness, Side side);
+                                  const Rim& rim, double thickness, Side side, int threads);
 
 }  // namespace thicken

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sweep/nearby.h"
+
+#include <algorithm>
+
+#include "parallel_for.h"
+
+namespace thicken {
+
+namespace {
+
+std::vector<TriangleId> trianglesAtVertices(const SweptMesh& mesh) {
+  std::vector<TriangleId> at(mesh.surfaceVertices, 0);
+  for (TriangleId t = 0; t < mesh.surfaceTriangles; ++t)
+    for (const VertexId v : mesh.triangles[t]) at[v] = t;
+  return at;
+}
+
+}  // namespace
+
+std::vector<TriangleId> trianglesAtCopies(const SweptMesh& mesh) {
+  const std::vector<TriangleId> atVertex = trianglesAtVertices(mesh);
+  std::vector<TriangleId> at;
+  at.reserve(mesh.copies.size());
+  for (const Copy& c : mesh.copies) at.push_back(atVertex[c.base]);
+  return at;
+}
+
+std::vector<TriangleId> trianglesAbove(std::span<const TriangleId> shell, const SweptMesh& mesh,
+                                       int threads) {
+  const std::vector<TriangleId> atVertex = trianglesAtVertices(mesh);
+  std::vector<TriangleId> above(shell.size());
+  parallelFor(shell.size(), threads, RunContext(), 4096, [&](std::size_t i) {
+    const VertexId first = mesh.triangles[shell[i]][0];
+    const VertexId base = mesh.isCopy(first) ? mesh.copyOf(first).base : first;
+    const std::size_t own = shell[i] - mesh.surfaceTriangles;  // unless the shell has changed since
+    const bool isOwn = own < mesh.surfaceTriangles && std::ranges::count(mesh.triangles[own], base) > 0;
+    above[i] = isOwn ? static_cast<TriangleId>(own) : atVertex[base];
+  });
+  return above;
+}
+
+}  // namespace thicken

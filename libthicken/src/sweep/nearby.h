@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// A triangle of S near every part of a sweep, where queries begin. None decides more than how long they take.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "sweep/swept_mesh.h"
+
+namespace thicken {
+
+/// A triangle of S at the base of every copy.
+[[nodiscard]] std::vector<TriangleId> trianglesAtCopies(const SweptMesh& mesh);
+
+/// For each of the shell triangles `shell` the one of S that it is a copy of, or else one at its first
+/// corner.
+[[nodiscard]] std::vector<TriangleId> trianglesAbove(std::span<const TriangleId> shell, const SweptMesh& mesh,
+                                                     int threads);
+
+}  // namespace thicken
