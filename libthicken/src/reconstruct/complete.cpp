@@ -181,7 +181,7 @@ std::optional<Reconstruction> complete(const TriangleMesh& surface, const Closes
       result.rounds = round;
       result.cell = width;
       result.cells = attempt.field().cells();
-      result.nodes = attempt.field().size();
+      result.nodes = attempt.field().nodes();
       result.predicted = fieldBytes(task.area, width);
       return result;
     }

@@ -49,7 +49,7 @@ class Contourer {
   [[nodiscard]] Contour attempt(const Carrier& carrier, const Membership& membership, const Seeds& seeds,
                                 Stopwatch& watch);
   void forgetChanges(std::vector<Corners> beyondSurface, std::span<const std::uint8_t> covered);
-  void recall(std::vector<Crossing>& crossings) const;
+  [[nodiscard]] const Crossing* recalled(const EdgePart& part) const;
 
   const TriangleMesh& surface_;
   double thickness_, width_;
