@@ -300,7 +300,7 @@ TEST_F(FollowContour, FindsTheSameWhereTheFieldDropsItsNodes) {
         EXPECT_EQ(found[i].at, expected[i].at);
         EXPECT_EQ(found[i].normal, expected[i].normal);
       }
-      EXPECT_LT(few.size(), all.size());
+      EXPECT_EQ(few.size(), 0u);
       EXPECT_GT(few.nodes(), all.nodes());
     }
 }

@@ -33,6 +33,7 @@ class Follower {
     std::vector<GridIndex> further;
     for (const Vec3& p : placed(seeds)) further.push_back(cellOf(p));
     followFrom(further);
+    if (field_.mayDrop()) field_.release();
     return sorted();
   }
 

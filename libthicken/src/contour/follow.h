@@ -23,8 +23,9 @@ struct Seeds {
 using Placing = std::function<Crossing(const EdgePart&)>;
 
 /// All crossings of what hangs together with `rimCells` or with `seeds`, sorted by edge, then along it. Seeds
-/// in cells that the contour is already known to pass are not looked at. The field drops its nodes where it
-/// is full; those that are wanted once more are evaluated once more.
+/// in cells that the contour is already known to pass are not looked at. A field that may drop its
+/// nodes does so where it is full, and those that are wanted once more are evaluated once more; in the end it
+/// has none.
 [[nodiscard]] std::vector<Crossing> followContour(const UniformGrid& grid,
                                                   std::span<const GridIndex> rimCells, const Seeds& seeds,
                                                   const CarrierCrossings& carrier,

@@ -74,6 +74,7 @@ class NodeField {
       visit(grid_.node(UniformGrid::indexOf(key(i))), samples_[i]);
   }
   [[nodiscard]] std::size_t size() const { return samples_.size(); }
+  [[nodiscard]] bool mayDrop() const { return most_ != kAny; }
   [[nodiscard]] bool isFull() const { return samples_.size() >= most_; }
   /// Forgets all nodes and their numbers, but keeps their memory for others.
   void drop() {
@@ -81,7 +82,13 @@ class NodeField {
     index_.clear();
     samples_.clear();
     asked_.clear();
-    wanted_.clear();
+  }
+  /// The same, and frees their memory.
+  void release() {
+    drop();
+    index_ = {};
+    samples_ = std::vector<Sample>();
+    asked_ = std::vector<std::uint8_t>();
   }
   /// The node (UniformGrid::key) of a number.
   [[nodiscard]] std::uint64_t key(std::uint32_t i) const { return index_.keys()[i]; }

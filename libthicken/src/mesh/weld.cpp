@@ -72,7 +72,9 @@ TriangleMesh weld(const TriangleMesh& mesh) {
   TriangleMesh result;
   result.triangles.reserve(mesh.triangles.size());
   // A surface has about half as many vertices as triangles.
-  PlaceTable table(std::min(mesh.positions.size(), mesh.triangles.size() / 2 + 64));
+  const std::size_t expected = std::min(mesh.positions.size(), mesh.triangles.size() / 2 + 64);
+  result.positions.reserve(expected);
+  PlaceTable table(expected);
   std::vector<VertexId> id(mesh.positions.size(), kNone);
   // Looking places up is bound by cache misses; hashes are taken some triangles ahead to hide them.
   constexpr std::size_t kAhead = 8;

@@ -3,6 +3,12 @@
 
 #include <unistd.h>
 
+#include <cstdlib>  // says which C library it is
+
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
 namespace thicken::program {
 
 std::size_t machineMemory() noexcept {
@@ -10,6 +16,14 @@ std::size_t machineMemory() noexcept {
   const long size = sysconf(_SC_PAGESIZE);
   if (pages <= 0 || size <= 0) return 0;
   return static_cast<std::size_t>(pages) * static_cast<std::size_t>(size);
+}
+
+void returnFreedArrays() noexcept {
+#if defined(__GLIBC__)
+  constexpr int kLarge = 1 << 18;  // bytes; left alone, the C library raises it to that of what was freed
+  mallopt(M_MMAP_THRESHOLD, kLarge);
+  mallopt(M_TRIM_THRESHOLD, kLarge);
+#endif
 }
 
 }  // namespace thicken::program

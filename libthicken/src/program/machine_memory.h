@@ -8,4 +8,8 @@ namespace thicken::program {
 /// Bytes of memory that the machine has; 0 where it does not say.
 [[nodiscard]] std::size_t machineMemory() noexcept;
 
+/// From now on large arrays go back to the system as soon as they are freed, at the cost of some time, so
+/// that what the process holds is what it uses.
+void returnFreedArrays() noexcept;
+
 }  // namespace thicken::program

@@ -9,6 +9,7 @@
 
 #include "program/arguments.h"
 #include "program/interrupt.h"
+#include "program/machine_memory.h"
 #include "program/messages.h"
 #include "program/run.h"
 
@@ -26,6 +27,7 @@ int run(int argc, const char* const* argv, bool& quiet) {
   quiet = request.arguments->quiet;
   RunContext context;
   context.setMemoryLimit(request.arguments->memoryLimit);
+  if (request.arguments->limitGiven) returnFreedArrays();
   cancelOnInterrupt(context);
   request.arguments->command == Command::kCheck ? runCheck(*request.arguments, context)
                                                 : runThicken(*request.arguments, context);

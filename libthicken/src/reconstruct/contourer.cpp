@@ -7,6 +7,7 @@
 
 #include "measure/stopwatch.h"
 #include "mesh/bounds.h"
+#include "mesh/freed_memory.h"
 #include "parallel_for.h"
 #include "thicken/error.h"
 
@@ -57,9 +58,14 @@ std::vector<GridIndex> rimCells(const std::vector<RimWay>& ways) {
 
 }  // namespace
 
-Contourer::Contourer(const TriangleMesh& surface, double thickness, double width, const RunContext& context,
-                     int threads)
-    : surface_(surface), thickness_(thickness), width_(width), context_(context), threads_(threads) {}
+Contourer::Contourer(const TriangleMesh& surface, double thickness, double width, const WorkingSet& working,
+                     const RunContext& context, int threads)
+    : surface_(surface),
+      thickness_(thickness),
+      width_(width),
+      working_(working),
+      context_(context),
+      threads_(threads) {}
 
 Contour Contourer::contour(const Carrier& carrier, const Membership& membership, const Seeds& seeds,
                            Stopwatch& watch) {
@@ -79,7 +85,7 @@ Contour Contourer::contour(const Carrier& carrier, const Membership& membership,
 void Contourer::startGrid() {
   grid_ = gridFor(surface_, thickness_, width_, ++shifts_);
   onSurface_.emplace(grid_, surface_.positions, surface_.triangles, threads_);
-  field_.emplace(grid_);
+  field_.emplace(grid_, working_.nodes);
   beyondSurface_.clear();
   covered_.assign(surface_.triangles.size(), 0);
   changed_.reset();
@@ -104,6 +110,7 @@ Contour Contourer::attempt(const Carrier& carrier, const Membership& membership,
   };
   made.crossings = followContour(grid_, rimCells(made.ways), seeds, crossed, membership, *field_, placing,
                                  context_, threads_);
+  if (working_.isLean) returnFreedMemory();
   watch.lap("field");
   made.dual = dualSurface(made.crossings, made.ways, carrier.mesh.positions, threads_);
   return made;
