@@ -185,6 +185,19 @@ TEST(MostShellCrossings, AreALittleMoreThanTheContourMakes) {
   EXPECT_LT(expected, 1.25 * made);
 }
 
+TEST(Auto, TakesWiderCellsWhereTheLimitAsksForThem) {
+  Options o;
+  o.thickness = 0.25;
+  const Solid whole = thicken(valleys(), o);
+  ASSERT_GT(whole.report.cell, 0);
+  const std::size_t crossings = mostShellCrossings(valleys(), o.thickness, whole.report.cell, 1);
+  RunContext context;
+  context.setMemoryLimit(heldBytes(valleys()) + leanBytes(crossings) * 9 / 10);
+  const Solid lean = thicken(valleys(), o, context);
+  EXPECT_GT(lean.report.cell, whole.report.cell);
+  EXPECT_LE(lean.report.predictedMemory, context.memoryLimit());
+}
+
 TEST(Reconstruct, NamesTheWidthThatFitsTheMemory) {
   RunContext context;
   context.setMemoryLimit(std::size_t{64} << 20);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "field/uniform_grid.h"
 #include "mesh/bounds.h"
@@ -16,13 +17,19 @@ namespace thicken {
 
 namespace {
 
+// The least width of cells that fit where those of `width` make so many crossings; infinite: none.
+double widthThatFits(std::size_t crossings, std::size_t held, double width, std::size_t limit) {
+  const std::size_t fixed = held + leanBytes(0);
+  if (limit <= fixed) return std::numeric_limits<double>::infinity();
+  return width * std::sqrt(double(leanBytes(crossings) - leanBytes(0)) / double(limit - fixed)) * 1.01;
+}
+
 // Refuses what would not fit before any of it is taken, with the width that would.
 void requireMemory(std::size_t crossings, std::size_t held, double r, double width,
                    const RunContext& context) {
   const std::size_t limit = context.memoryLimit();
   if (limit == 0) return;
-  const double room = limit > held ? double(limit - held) : 0;
-  const double fits = width * std::sqrt(double(leanBytes(crossings)) / room) * 1.01;
+  const double fits = widthThatFits(crossings, held, width, limit);
   context.reserve(held + leanBytes(crossings),
                   fits < r / 2
                       ? fmt::format("a cell width of {:.4g} mm would fit", fits)
@@ -55,6 +62,13 @@ WorkingSet requireRoomForField(const TriangleMesh& surface, std::size_t crossing
   const std::size_t held = heldBytes(surface);
   requireMemory(crossings, held, r, width, context);
   return workingSetFor(crossings, held, context);
+}
+
+double widthWithRoom(const TriangleMesh& surface, std::size_t crossings, double width, const Options& options,
+                     const RunContext& context) {
+  if (options.cell || options.resolution || options.tolerance || hasRoomForField(surface, crossings, context))
+    return width;
+  return widthThatFits(crossings, heldBytes(surface), width, context.memoryLimit());
 }
 
 double cellWidth(const TriangleMesh& surface, double area, const Options& options, double mostCells) {

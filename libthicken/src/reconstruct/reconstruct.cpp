@@ -59,9 +59,14 @@ std::optional<Reconstruction> deepen(const TriangleMesh& surface, const ClosestP
   constexpr double kCoarsest = 1.0 / 3;  // of r
   ShellPlan plan = planShell(surface, swept, tree, options, context, threads);
   if (plan.keepsAll()) return std::nullopt;
-  const double r = options.thickness, area = areaOf(surface), width = cellWidth(surface, area, options);
+  const double r = options.thickness, area = areaOf(surface);
+  double width = cellWidth(surface, area, options);
+  width = widthWithRoom(surface, mostShellCrossings(surface, r, width, threads), width, options, context);
   if (width >= kCoarsest * r ||
       !hasRoomForField(surface, mostShellCrossings(surface, r, width, threads), context)) {
+    const double own = plan.width;
+    plan.width = widthWithRoom(surface, mostCrossings(plan.area, own), own, options, context);
+    if (!(plan.width < r / 2)) plan.width = own;  // which is refused
     const std::size_t crossings = mostCrossings(plan.area, plan.width);
     const WorkingSet working = requireRoomForField(surface, crossings, r, plan.width, context);
     return complete(surface, tree, swept,

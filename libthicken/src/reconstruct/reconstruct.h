@@ -54,6 +54,11 @@ inline constexpr double kManyCells = 6e5, kManyBesideSweep = 2.5e5;
 [[nodiscard]] bool hasRoomForField(const TriangleMesh& surface, std::size_t crossings,
                                    const RunContext& context);
 
+/// `width`, with which a contour makes so many crossings, or the least one that there is room for where that
+/// is wider and `options` do not ask for a width; infinite where there is no room for any.
+[[nodiscard]] double widthWithRoom(const TriangleMesh& surface, std::size_t crossings, double width,
+                                   const Options& options, const RunContext& context);
+
 /// What the contour may hold. Throws where cells of `width` are too many for the grid's keys or, before any
 /// of it is taken, too many for the memory limit even where as little is held at a time as can be, with the
 /// width and the limit that would fit.
