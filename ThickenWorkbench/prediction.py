@@ -17,8 +17,8 @@ _KEY = "SecondsPerTriangle"
 _WEIGHT = 0.3
 
 # As the library's own forecast, which it compares with the limit before it begins (libthicken/src/plan.cpp).
-_BYTES_PER_TRIANGLE = 1500
-_BYTES = 32 * _MIB
+_BYTES_PER_TRIANGLE = 1250
+_BYTES = 16 * _MIB
 
 
 class Forecast(NamedTuple):

@@ -81,8 +81,8 @@ void checkSurface(benchmark::State& state, const SubjectPtr& subject) {
 
 void findMeetings(benchmark::State& state, const SubjectPtr& subject) {
   for (auto _ : state) {
-    const exact::BoxTree tree(subject->surface.positions, subject->surface.triangles, kAllThreads);
-    benchmark::DoNotOptimize(meetingsOf(subject->surface, tree, {}, kAllThreads));
+    const exact::PairSearch search(subject->surface, exact::PairSearch::kAll, kAllThreads);
+    benchmark::DoNotOptimize(meetingsOf(search, {}, kAllThreads));
   }
   countTriangles(state, subject->surface);
 }

@@ -69,7 +69,7 @@ void run(const std::string& input, double thickness, double cell, const std::fil
   const Carrier carrier =
       makeCarrier(swept, walls.positions(), walls.up(), surface.triangles.size(), keep, cell, kAllThreads);
   const Membership membership(carrier.mesh, tree, surface.triangles.size(), thickness);
-  Contourer contourer(surface, thickness, cell, context, kAllThreads);
+  Contourer contourer(surface, thickness, cell, {}, context, kAllThreads);
   Stopwatch watch;
   Contour contour = contourer.contour(carrier, membership, {}, watch);
   const Assembly assembly = assemble(carrier, contour.dual, contour.crossings, contour.ways, kAllThreads);

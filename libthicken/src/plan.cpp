@@ -82,8 +82,8 @@ void requireRoom(const TriangleMesh& surface, const Options& options) {
 std::size_t predictedBytes(const TriangleMesh& surface, const Options& options) {
   // Measured over the open surfaces of the test corpus, per triangle of S, with a margin: positions,
   // triangles, the two trees, adjacency and the audit's edge table.
-  constexpr std::size_t kPerTriangle = 1500;
-  constexpr std::size_t kBase = std::size_t{32} << 20;
+  constexpr std::size_t kPerTriangle = 1250;
+  constexpr std::size_t kBase = std::size_t{16} << 20;
   const std::size_t shells = options.side == Side::kBoth ? 2 : 1;
   return kBase + surface.triangles.size() * kPerTriangle * (1 + shells) / 2;
 }

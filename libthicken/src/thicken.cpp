@@ -71,7 +71,8 @@ Solid assemble(Made made, Method method, const SurfaceFacts& input, const Option
 
 void proveOrThrow(Solid& solid, const TriangleMesh& surface, Side side, const RunContext& context,
                   int threads, std::span<const TriangleId> order = {}) {
-  AuditResult proof = audit(solid.mesh, surface, side, context, threads, order);
+  const std::size_t most = auditedAtATime(solid.mesh.triangles.size(), heldBytes(surface), context);
+  AuditResult proof = audit(solid.mesh, surface, side, context, threads, order, most);
   solid.report.audit = proof.facts;
   if (proof.facts.passed()) return;
   std::string why = proof.defects.empty() ? "the audit failed" : proof.defects.front().sentence;
@@ -340,7 +341,7 @@ Solid thickenKnown(const TriangleMesh& input, const Options& options, RunContext
   requireRoom(surface.mesh, options);
 
   Solid solid = solidOfRepaired(surface, options, context, threads, watch, known);
-  solid.report.predictedMemory += predicted;
+  solid.report.predictedMemory = std::max(solid.report.predictedMemory, predicted);
   solid.report.peakMemory = peakMemory();
   solid.report.seconds = watch.laps();
   if (options.repair) {

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "exact/float_box.h"
+#include "exact/pair_search.h"
 #include "exact/predicates.h"
 #include "exact/triangle_pair.h"
 
@@ -145,6 +146,41 @@ TEST_F(BoxTreeTest, RetestsWhatMoved) {
                 expected);
   }
   EXPECT_TRUE(tree.meetingPairsWith({}, mesh.positions, mesh.triangles, fixed, context_, 1).empty());
+}
+
+TEST_F(BoxTreeTest, FindsTheSamePairsInBlocks) {
+  const TriangleMesh mesh = soup(2000, 0.12);
+  const Marks active = marks(mesh.triangles.size(), 0.9), fixed = marks(mesh.triangles.size(), 0.3);
+  const exact::PairSearch whole(mesh, exact::PairSearch::kAll, 2, active);
+  const Pairs expected = whole.all(fixed, context_, 2);
+  ASSERT_GT(expected.size(), 1000u);
+  for (const std::size_t most : {200, 700, 1999}) {
+    const exact::PairSearch blocks(mesh, most, 2, active);
+    for (const int threads : {1, 2}) EXPECT_EQ(blocks.all(fixed, context_, threads), expected) << most;
+    EXPECT_GT(blocks.all({}, context_, 2, 100).size(), 100u);
+  }
+}
+
+TEST_F(BoxTreeTest, RetestsWhatMovedInBlocks) {
+  TriangleMesh mesh = soup(2000, 0.12);
+  const Marks active = marks(mesh.triangles.size(), 0.9), fixed = marks(mesh.triangles.size(), 0.3);
+  exact::PairSearch whole(mesh, exact::PairSearch::kAll, 2, active), blocks(mesh, 700, 2, active);
+  for (const double share : {0.002, 0.1, 0.8}) {
+    std::vector<TriangleId> moved;
+    for (TriangleId t = 0; t < mesh.triangles.size(); ++t)
+      if (uniform() < share) moved.push_back(t);
+    for (const TriangleId t : moved)
+      for (const VertexId v : mesh.triangles[t]) mesh.positions[v] += 0.01 * Vec3(uniform(), uniform(), 0);
+    // Those that share a vertex with them have moved, too.
+    Marks hasMoved(mesh.positions.size(), 0);
+    for (const TriangleId t : moved)
+      for (const VertexId v : mesh.triangles[t]) hasMoved[v] = 1;
+    moved.clear();
+    for (TriangleId t = 0; t < mesh.triangles.size(); ++t)
+      if (std::ranges::any_of(mesh.triangles[t], [&](VertexId v) { return hasMoved[v] != 0; }))
+        moved.push_back(t);
+    EXPECT_EQ(blocks.withMoved(moved, fixed, context_, 2), whole.withMoved(moved, fixed, context_, 2));
+  }
 }
 
 TEST_F(BoxTreeTest, StopsSoonAfterTheLimit) {

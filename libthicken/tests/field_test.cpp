@@ -240,39 +240,69 @@ TEST(NodeField, ForgetsWhatIsNextToAMarkedTriangle) {
   EXPECT_GT(forgotten, 0u);
 }
 
-// Followed from the rim, an open sheet's contour is all that a search of the whole grid finds.
-TEST(FollowContour, FindsWhatASearchOfEveryEdgeFinds) {
-  const TriangleMesh sheet = shapes::sheet(10, 8);
-  const double r = 1.1;
-  const ClosestPointTree tree(sheet);
-  const Membership membership(sheet, tree, sheet.triangles.size(), r);
-  const UniformGrid grid = gridAround(sheet, r + 0.5, 0.3);
-  const SurfaceCrossings surface(grid, sheet.positions, sheet.triangles, 2);
-  const SurfaceCrossings nothing(grid, sheet.positions, {}, 1);
-  const CarrierCrossings crossed(surface, nothing);
-  std::vector<GridIndex> rimCells;
-  for (const RimWay& way : rimWays(grid, sheet.positions, rimOf(sheet.positions.size(), sheet.triangles)))
-    for (const RimVisit& visit : way) rimCells.push_back(visit.cell);
-  NodeField field(grid);
-  const auto found = followContour(grid, rimCells, {}, crossed, membership, field, {}, 2);
+class FollowContour : public ::testing::Test {
+ protected:
+  FollowContour() {
+    for (const RimWay& way :
+         rimWays(grid_, sheet_.positions, rimOf(sheet_.positions.size(), sheet_.triangles)))
+      for (const RimVisit& visit : way) rimCells_.push_back(visit.cell);
+  }
 
-  NodeField whole(grid);
-  for (const GridIndex& n : allNodes(grid)) (void)whole.want(UniformGrid::key(n));
-  whole.evaluate(membership, {}, 2);
+  [[nodiscard]] std::vector<Crossing> follow(NodeField& field, int threads) const {
+    const auto placing = [&](const EdgePart& part) { return placed(part, grid_, field, membership_); };
+    return followContour(grid_, rimCells_, {}, crossed_, membership_, field, placing, {}, threads);
+  }
+
+  const TriangleMesh sheet_ = shapes::sheet(10, 8);
+  const double r_ = 1.1;
+  const ClosestPointTree tree_{sheet_};
+  const Membership membership_{sheet_, tree_, sheet_.triangles.size(), r_};
+  const UniformGrid grid_ = gridAround(sheet_, r_ + 0.5, 0.3);
+  const SurfaceCrossings surface_{grid_, sheet_.positions, sheet_.triangles, 2};
+  const SurfaceCrossings nothing_{grid_, sheet_.positions, {}, 1};
+  const CarrierCrossings crossed_{surface_, nothing_};
+  std::vector<GridIndex> rimCells_;
+};
+
+// Followed from the rim, an open sheet's contour is all that a search of the whole grid finds.
+TEST_F(FollowContour, FindsWhatASearchOfEveryEdgeFinds) {
+  NodeField field(grid_);
+  const auto found = follow(field, 2);
+  NodeField whole(grid_);
+  for (const GridIndex& n : allNodes(grid_)) (void)whole.want(UniformGrid::key(n));
+  whole.evaluate(membership_, {}, 2);
   std::size_t expected = 0;
-  for (const GridIndex& n : allNodes(grid))
+  for (const GridIndex& n : allNodes(grid_))
     for (int axis = 0; axis < 3; ++axis) {
       GridIndex up = n;
-      if (++up[axis] >= grid.cells()[axis]) continue;
-      std::vector<Crossing> here;
+      if (++up[axis] >= grid_.cells()[axis]) continue;
+      std::vector<EdgePart> here;
       const std::uint64_t edge = UniformGrid::key(n, axis);
-      crossEdge(grid, whole, edge, whole.want(UniformGrid::key(n)), whole.want(UniformGrid::key(up)),
-                crossed.of(edge), here);
+      crossEdge(grid_, whole, edge, whole.want(UniformGrid::key(n)), whole.want(UniformGrid::key(up)),
+                crossed_.of(edge), here);
       expected += here.size();
     }
   EXPECT_GT(expected, 500u);
   EXPECT_EQ(found.size(), expected);
   EXPECT_LT(field.size(), whole.size() / 2);
+}
+
+TEST_F(FollowContour, FindsTheSameWhereTheFieldDropsItsNodes) {
+  NodeField all(grid_);
+  const auto expected = follow(all, 1);
+  for (const std::size_t most : {1, 100, 1000})
+    for (const int threads : {1, 2}) {
+      NodeField few(grid_, most);
+      const auto found = follow(few, threads);
+      ASSERT_EQ(found.size(), expected.size()) << most;
+      for (std::size_t i = 0; i < found.size(); ++i) {
+        EXPECT_EQ(found[i].edge, expected[i].edge);
+        EXPECT_EQ(found[i].at, expected[i].at);
+        EXPECT_EQ(found[i].normal, expected[i].normal);
+      }
+      EXPECT_EQ(few.size(), 0u);
+      EXPECT_GT(few.nodes(), all.nodes());
+    }
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <random>
 
+#include "field/block_bits.h"
 #include "field/block_index.h"
 #include "mesh/buckets.h"
 #include "mesh/parallel_sort.h"
@@ -105,6 +106,19 @@ TEST(BlockIndex, NumbersKeysAsTheyArrive) {
     EXPECT_EQ(index.find(key), number);
     EXPECT_EQ(index.keys()[number], key);
   }
+}
+
+TEST(BlockBits, AreThoseThatWereSet) {
+  BlockBits<3> bits;
+  std::map<std::uint64_t, std::uint8_t> expected;
+  for (const std::uint32_t n : someNumbers(20'000, 1 << 15)) {
+    const std::uint64_t key = UniformGrid::key({static_cast<int>(n & 31), static_cast<int>(n >> 5 & 31), 7});
+    const auto some = static_cast<std::uint8_t>(1 << (n >> 10) % 3);
+    EXPECT_EQ(bits.set(key, some), expected[key]);
+    expected[key] |= some;
+  }
+  for (const auto& [key, set] : expected) EXPECT_EQ(bits.of(key), set);
+  EXPECT_EQ(bits.of(UniformGrid::key({40, 0, 7})), 0);
 }
 
 }  // namespace

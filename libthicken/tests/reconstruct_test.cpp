@@ -8,6 +8,7 @@
 #include "plain_shapes.h"
 #include "reconstruct/diagonals.h"
 #include "reconstruct/strip_region.h"
+#include "reconstruct/working_set.h"
 #include "thicken/error.h"
 #include "thicken/thicken.h"
 
@@ -155,6 +156,64 @@ TEST(StripRegion, IsWhatTheContourGoesOnAs) {
   const std::vector<Region> wanted = {Region::kWall, Region::kShell, Region::kWall,  Region::kWall,
                                       Region::kWall, Region::kWall,  Region::kShell, Region::kShell};
   EXPECT_EQ(assembly.region, wanted);
+}
+
+// The limit makes the field drop its nodes, and triangles be searched for meetings in blocks.
+TEST(Reconstruct, GivesTheSameBytesBelowATightLimit) {
+  const TriangleMesh sheet = shapes::sheet(12, 9);
+  const double r = 0.9, cell = 0.045;
+  const Solid whole = thicken(sheet, by(r, cell, 2));
+  ASSERT_GT(whole.mesh.triangles.size(), 100'000u);
+  const std::size_t least = heldBytes(sheet) + leanBytes(mostShellCrossings(sheet, r, cell, 2));
+  for (const int threads : {1, 2}) {
+    RunContext context;
+    context.setMemoryLimit(least);
+    const Solid lean = thicken(sheet, by(r, cell, threads), context);
+    EXPECT_EQ(lean.mesh.triangles, whole.mesh.triangles) << threads;
+    EXPECT_EQ(lean.mesh.positions, whole.mesh.positions) << threads;
+    EXPECT_LE(lean.report.predictedMemory, least);
+    EXPECT_GT(whole.report.predictedMemory, least);
+  }
+  RunContext context;
+  context.setMemoryLimit(least - 1);
+  EXPECT_THROW((void)thicken(sheet, by(r, cell, 2), context), Error);
+}
+
+TEST(WorkingSet, FollowsFromTheLimit) {
+  constexpr std::size_t kCrossings = 1'000'000, kHeld = std::size_t{50} << 20;
+  RunContext context;
+  EXPECT_FALSE(workingSetFor(kCrossings, kHeld, context).isLean);
+  context.setMemoryLimit(kHeld + wholeBytes(kCrossings));
+  EXPECT_FALSE(workingSetFor(kCrossings, kHeld, context).isLean);
+  context.setMemoryLimit(kHeld + wholeBytes(kCrossings) - 1);
+  const WorkingSet much = workingSetFor(kCrossings, kHeld, context);
+  context.setMemoryLimit(kHeld + leanBytes(kCrossings));
+  const WorkingSet little = workingSetFor(kCrossings, kHeld, context);
+  EXPECT_TRUE(much.isLean && little.isLean);
+  EXPECT_LT(little.nodes, much.nodes);
+  EXPECT_LT(little.triangles, much.triangles);
+}
+
+TEST(MostShellCrossings, AreALittleMoreThanTheContourMakes) {
+  const TriangleMesh sheet = shapes::sheet(12, 9);
+  const Solid solid = thicken(sheet, by(0.9, 0.1));
+  const double made = double(solid.report.shellTriangles) / 2;
+  const auto expected = double(mostShellCrossings(sheet, 0.9, 0.1, 2));
+  EXPECT_GT(expected, made);
+  EXPECT_LT(expected, 1.25 * made);
+}
+
+TEST(Auto, TakesWiderCellsWhereTheLimitAsksForThem) {
+  Options o;
+  o.thickness = 0.25;
+  const Solid whole = thicken(valleys(), o);
+  ASSERT_GT(whole.report.cell, 0);
+  const std::size_t crossings = mostShellCrossings(valleys(), o.thickness, whole.report.cell, 1);
+  RunContext context;
+  context.setMemoryLimit(heldBytes(valleys()) + leanBytes(crossings) * 9 / 10);
+  const Solid lean = thicken(valleys(), o, context);
+  EXPECT_GT(lean.report.cell, whole.report.cell);
+  EXPECT_LE(lean.report.predictedMemory, context.memoryLimit());
 }
 
 TEST(Reconstruct, NamesTheWidthThatFitsTheMemory) {

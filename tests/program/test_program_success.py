@@ -2,6 +2,7 @@
 """Runs that succeed: formats, report, what is kept, what is printed."""
 
 import math
+import re
 import unittest
 
 from program_case import ProgramCase
@@ -63,6 +64,28 @@ class Success(ProgramCase):
         stages = {k: v for k, v in report["seconds"].items() if k != "total"}
         self.assertTrue({"read", "write"} <= stages.keys())
         self.assertTrue(math.isclose(sum(stages.values()), report["seconds"]["total"], rel_tol=1e-9))
+
+    def test_a_memory_limit_is_obeyed_and_changes_no_byte(self):
+        write_ply(self.folder / "in.ply", wave(20))
+
+        def run(output, *more):
+            return self.run_program("in.ply", output, "--thickness", 1, "--method", "reconstruct", "--cell", 0.05,
+                                    "--report", "report.json", *more)  # fmt: skip
+
+        self.assert_ok(run("out.ply"))
+        memory = self.report()["memory"]
+        self.assertLess(memory["peak_bytes"], memory["predicted_bytes"])
+        expected = (self.folder / "out.ply").read_bytes()
+        # Far too little is refused, and what is said to be needed is enough.
+        self.assertEqual(run("lean.ply", "--memory", 30).returncode, 4)
+        least = int(re.search(r"would need about (\d+) MiB", self.report()["sentence"])[1])
+        self.assertLess(least << 20, 0.7 * memory["peak_bytes"])
+        for limit, threads in ((least, 1), (least, 2), (least + 10, 2), (least + 40, 2)):
+            with self.subTest(limit=limit, threads=threads):
+                self.assert_ok(run("lean.ply", "--memory", limit, "--threads", threads))
+                self.assertLessEqual(self.report()["memory"]["peak_bytes"], limit << 20)
+                self.assertLessEqual(self.report()["memory"]["predicted_bytes"], limit << 20)
+                self.assertEqual((self.folder / "lean.ply").read_bytes(), expected)
 
     def test_quiet_says_nothing(self):
         write_off(self.folder / "in.off", wave(8))

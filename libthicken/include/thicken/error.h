@@ -27,7 +27,7 @@ enum class ErrorCode {
   kDegenerate,        ///< a triangle without area, or the same triangle twice
   kSelfIntersecting,  ///< triangles that meet elsewhere than at shared vertices and edges
   kTooLarge,          ///< more elements than 32-bit indices can name
-  kMemoryLimit,       ///< the predicted memory exceeds the limit
+  kMemoryLimit,       ///< not even the least that the run needs fits the limit
   kNoSolid,           ///< no valid solid within the limits
   kCancelled,         ///< RunContext::cancel() was called
   kInternal,          ///< a broken invariant of the library itself

@@ -42,7 +42,8 @@ class RunContext {
   [[nodiscard]] double progress() const noexcept;
   [[nodiscard]] Stage stage() const noexcept;
 
-  /// Bytes that the run may take; 0: no limit. Set it before the run.
+  /// Bytes that the run may take; 0: no limit. Set it before the run. A contour that does not fit is worked
+  /// through with less in memory at a time, with the same result, and refused where that is still too much.
   void setMemoryLimit(std::size_t bytes) noexcept;
   [[nodiscard]] std::size_t memoryLimit() const noexcept;
 

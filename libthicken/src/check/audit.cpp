@@ -56,13 +56,14 @@ Subject welded(const TriangleMesh& solid, const TriangleMesh& surface, int threa
 class Auditor {
  public:
   Auditor(const TriangleMesh& solid, const TriangleMesh& surface, Side side, const RunContext& context,
-          int threads, std::span<const TriangleId> order)
+          int threads, std::span<const TriangleId> order, std::size_t most)
       : subject_(welded(solid, surface, threads)),
         mesh_(subject_.solid),
         side_(side),
         context_(context),
         threads_(threads),
-        order_(order) {}
+        order_(order),
+        most_(most) {}
 
   AuditResult run() {
     if (mesh_.triangles.empty()) {
@@ -77,9 +78,8 @@ class Auditor {
     judgeJoints(badJoints(mesh_, edges, context_, threads_));
     judgeKept(edges);
     context_.throwIfCancelled();
-    const exact::BoxTree tree(mesh_.positions, mesh_.triangles, threads_, bad.proper, order_);
-    judgeMeetings(tree);
-    judgeSense(edges, tree);
+    judgeMeetings(exact::PairSearch(mesh_, most_, threads_, bad.proper, order_));
+    judgeSense(edges);
     return result_;
   }
 
@@ -197,8 +197,8 @@ class Auditor {
     fill(d.triangles, missing);
   }
 
-  void judgeMeetings(const exact::BoxTree& tree) {
-    const Meetings meetings = meetingsOf(mesh_, tree, context_, threads_);
+  void judgeMeetings(const exact::PairSearch& search) {
+    const Meetings meetings = meetingsOf(search, context_, threads_);
     result_.facts.intersectionFree = meetings.count == 0;
     if (meetings.count == 0) return;
     const Vec3 place = placeOf(mesh_, meetings.pairs[0]);
@@ -224,7 +224,7 @@ class Auditor {
   // Inside and outside mean something only where every other clause holds. Then the sense of each
   // shell is decided exactly, and shells of the right sense enclose a positive volume. Elsewhere the
   // solid has failed already, and the sign of a floating-point sum says what is left to say.
-  void judgeSense(const HalfEdges& edges, const exact::BoxTree& tree) {
+  void judgeSense(const HalfEdges& edges) {
     AuditFacts& facts = result_.facts;
     const bool decidable = facts.closed && facts.edgeManifold && facts.vertexManifold && facts.oriented &&
                            facts.nonDegenerate && facts.intersectionFree;
@@ -232,6 +232,8 @@ class Auditor {
     if (decidable) {
       const Components shells = componentsOf(mesh_.positions.size(), mesh_.triangles, threads_);
       const std::vector<VertexId> lowest = lowestVertices(mesh_, shells);
+      const exact::BoxTree tree(mesh_.positions, mesh_.triangles, threads_,
+                                trianglesBelow(mesh_, lowest, threads_));
       for (std::uint32_t s = 0; s < shells.count; ++s)
         if (facesOutward(mesh_, edges, lowest[s]) == insideOddNumber(mesh_, tree, shells, lowest[s], s))
           wrong.push_back(lowest[s]);
@@ -255,14 +257,16 @@ class Auditor {
   const RunContext& context_;
   int threads_;
   std::span<const TriangleId> order_;
+  std::size_t most_;
   AuditResult result_;
 };
 
 }  // namespace
 
 AuditResult audit(const TriangleMesh& solid, const TriangleMesh& surface, Side side,
-                  const RunContext& context, int threads, std::span<const TriangleId> order) {
-  return Auditor(solid, surface, side, context, threads, order).run();
+                  const RunContext& context, int threads, std::span<const TriangleId> order,
+                  std::size_t most) {
+  return Auditor(solid, surface, side, context, threads, order, most).run();
 }
 
 }  // namespace thicken

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "exact/pair_search.h"
 #include "thicken/error.h"
 #include "thicken/mesh.h"
 #include "thicken/result.h"
@@ -24,9 +25,11 @@ struct AuditResult {
 /// edges of the solid. Vertices of equal coordinates are welded before anything is decided, as any
 /// reader of an STL would. "Outward" is decided for nested components: a component within an even
 /// number of others has positive volume, within an odd number negative. `order`: of the leaves of a BoxTree
-/// over the same triangles, if there was one; it saves time, and decides nothing.
+/// over the same triangles, if there was one; it saves time, and decides nothing. `most`: triangles that are
+/// searched for meetings at a time (PairSearch).
 [[nodiscard]] AuditResult audit(const TriangleMesh& solid, const TriangleMesh& surface, Side side,
                                 const RunContext& context, int threads,
-                                std::span<const TriangleId> order = {});
+                                std::span<const TriangleId> order = {},
+                                std::size_t most = exact::PairSearch::kAll);
 
 }  // namespace thicken

@@ -205,9 +205,9 @@ CheckResult check(const TriangleMesh& mesh, RunContext context, int threads) {
   context.advance(0.4);
   if (finite && !mesh.triangles.empty()) {
     context.throwIfCancelled();
-    const exact::BoxTree tree(mesh.positions, mesh.triangles, threads, bad.proper);
+    const exact::PairSearch search(mesh, exact::PairSearch::kAll, threads, bad.proper);
     context.advance(0.6);
-    const Meetings meetings = meetingsOf(mesh, tree, context, threads);
+    const Meetings meetings = meetingsOf(search, context, threads);
     if (meetings.count > 0) result.defects.push_back(selfIntersecting(mesh, meetings));
   }
   context.advance(1);

@@ -5,15 +5,14 @@
 
 namespace thicken {
 
-Meetings meetingsOf(const TriangleMesh& mesh, const exact::BoxTree& tree, const RunContext& context,
-                    int threads) {
+Meetings meetingsOf(const exact::PairSearch& search, const RunContext& context, int threads) {
   constexpr std::size_t kCounted = 100000, kListed = Defect::kMaxListed / 2;
   Meetings result;
-  result.pairs = tree.meetingPairs(mesh.positions, mesh.triangles, {}, context, threads, kCounted);
+  result.pairs = search.all({}, context, threads, kCounted);
   result.count = result.pairs.size();
   if (result.count > kCounted) {
     // which pairs come first depends on the threads: one thread finds the same ones each time
-    result.pairs = tree.meetingPairs(mesh.positions, mesh.triangles, {}, context, 1, kListed);
+    result.pairs = search.all({}, context, 1, kListed);
     result.count = kCounted;
     result.more = true;
   }

@@ -6,7 +6,7 @@
 
 #include <span>
 
-#include "exact/box_tree.h"
+#include "exact/pair_search.h"
 #include "thicken/error.h"
 #include "thicken/mesh.h"
 
@@ -20,8 +20,7 @@ struct Meetings {
 };
 
 /// Same answer for any number of threads.
-[[nodiscard]] Meetings meetingsOf(const TriangleMesh& mesh, const exact::BoxTree& tree,
-                                  const RunContext& context, int threads);
+[[nodiscard]] Meetings meetingsOf(const exact::PairSearch& search, const RunContext& context, int threads);
 
 /// A point close to where two triangles meet: the centre of what their boxes have in common, mm.
 [[nodiscard]] Vec3 placeOf(const TriangleMesh& mesh, const exact::TrianglePair& pair);

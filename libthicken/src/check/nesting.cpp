@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "exact/predicates.h"
+#include "parallel_for.h"
 
 namespace thicken {
 namespace {
@@ -58,6 +59,24 @@ std::vector<VertexId> lowestVertices(const TriangleMesh& mesh, const Components&
       if (best == kNone || lexicographicallyLess(mesh.positions[v], mesh.positions[best])) best = v;
   }
   return lowest;
+}
+
+std::vector<std::uint8_t> trianglesBelow(const TriangleMesh& mesh, std::span<const VertexId> vertices,
+                                         int threads) {
+  std::vector<Vec3> points;
+  for (const VertexId v : vertices) points.push_back(mesh.positions[v]);
+  const auto lower = [](const Vec3& p, const Vec3& q) { return p[1] < q[1]; };
+  std::sort(points.begin(), points.end(), lower);
+  std::vector<std::uint8_t> below(mesh.triangles.size(), 0);
+  parallelFor(below.size(), threads, RunContext(), 4096, [&](std::size_t t) {
+    const Triangle& c = mesh.triangles[t];
+    const Vec3 &p = mesh.positions[c[0]], &q = mesh.positions[c[1]], &r = mesh.positions[c[2]];
+    const Vec3 low = p.cwiseMin(q).cwiseMin(r), high = p.cwiseMax(q).cwiseMax(r);
+    for (auto x = std::lower_bound(points.begin(), points.end(), low, lower);
+         x != points.end() && (*x)[1] <= high[1] && below[t] == 0; ++x)
+      below[t] = low[0] <= (*x)[0] && low[2] <= (*x)[2] && (*x)[2] <= high[2];
+  });
+  return below;
 }
 
 bool facesOutward(const TriangleMesh& mesh, const HalfEdges& edges, VertexId lowest) {

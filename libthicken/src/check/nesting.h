@@ -3,6 +3,7 @@
 // Which way round the shells of a solid are, and which of them lie in one another.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "exact/box_tree.h"
@@ -18,6 +19,11 @@ namespace thicken {
 /// Whether the shell that `lowest` is the lowest vertex of has its positive side outside (positive
 /// volume). Exact. The shell must be closed, manifold, of one sense and free of intersections.
 [[nodiscard]] bool facesOutward(const TriangleMesh& mesh, const HalfEdges& edges, VertexId lowest);
+
+/// Which triangles the two below may have to look at for these vertices: a tree over the others is not
+/// needed.
+[[nodiscard]] std::vector<std::uint8_t> trianglesBelow(const TriangleMesh& mesh,
+                                                       std::span<const VertexId> vertices, int threads);
 
 /// Whether `v` lies inside an odd number of shells other than its own. Exact for shells that are
 /// closed and neither intersect one another nor themselves.

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "parallel_for.h"
-
 namespace thicken {
 
 namespace {
@@ -24,20 +22,23 @@ class CrossingSolver {
   CrossingSolver(const UniformGrid& grid, const NodeField& field, const Membership& membership)
       : grid_(grid), field_(field), membership_(membership), r_(membership.thickness()) {}
 
-  void solve(Crossing& c) const {
-    Search s{static_cast<int>(c.edge & 3), grid_.node(UniformGrid::indexOf(c.edge >> 2))};
-    const bool leaves = c.jump < 0;
-    s.in = end(s, leaves ? c.from : c.to, leaves ? c.fromNode : c.toNode);
-    s.out = end(s, leaves ? c.to : c.from, leaves ? c.toNode : c.fromNode);
+  [[nodiscard]] Crossing solve(const EdgePart& part) const {
+    Search s{static_cast<int>(part.edge & 3), grid_.node(UniformGrid::indexOf(part.edge >> 2))};
+    const bool leaves = part.jump < 0;
+    s.in = end(s, leaves ? part.from : part.to, leaves ? part.fromNode : part.toNode);
+    s.out = end(s, leaves ? part.to : part.from, leaves ? part.toNode : part.fromNode);
     // The ends may lie on the carrier itself, where the probe's sign is rounding.
     if (!s.in.probe.inside()) s.in.probe.standing = Standing::kInside;
     const bool onShell = s.out.probe.standing == Standing::kFar && narrowToShell(s);
     if (!onShell) narrow(s);
     s.p[s.axis] = (s.in.x + s.out.x) / 2;
+    Crossing c;
+    c.edge = part.edge;
+    c.jump = static_cast<std::int8_t>(part.jump);
     c.at = s.p;
     c.beyond = s.out.probe.inside() ? Standing::kFar : s.out.probe.standing;
     c.normal = normalOf(c, s);
-    c.placed = true;
+    return c;
   }
 
  private:
@@ -154,37 +155,34 @@ class CrossingSolver {
 }  // namespace
 
 void crossEdge(const UniformGrid& grid, const NodeField& field, std::uint64_t edge, std::uint32_t low,
-               std::uint32_t high, std::span<const SurfaceCrossing> carrier, std::vector<Crossing>& out) {
+               std::uint32_t high, std::span<const SurfaceCrossing> carrier, std::vector<EdgePart>& out) {
   const bool first = field[low].inside(), last = field[high].inside();
   if (carrier.empty() && first == last) return;
   const int axis = static_cast<int>(edge & 3);
   const int n = UniformGrid::indexOf(edge >> 2)[axis];
-  Crossing c;
-  c.edge = edge;
-  c.from = grid.coordinate(axis, n);
-  c.fromNode = low;
+  EdgePart part;
+  part.edge = edge;
+  part.from = grid.coordinate(axis, n);
+  part.fromNode = low;
   bool label = first;
-  const auto part = [&](double to, std::uint32_t toNode, bool end) {
-    c.to = to;
-    c.toNode = toNode;
-    c.jump = int(end) - int(label);
-    if (label != end) out.push_back(c);
-    c.from = to;
-    c.fromNode = toNode;
+  const auto endAt = [&](double to, std::uint32_t toNode, bool end) {
+    part.to = to;
+    part.toNode = toNode;
+    part.jump = int(end) - int(label);
+    if (label != end) out.push_back(part);
+    part.from = to;
+    part.fromNode = toNode;
   };
   for (const SurfaceCrossing& s : carrier) {
-    part(s.at, KeyIndex::kAbsent, s.jump < 0);
+    endAt(s.at, KeyIndex::kAbsent, s.jump < 0);
     label = s.jump > 0;
   }
-  part(grid.coordinate(axis, n + 1), high, last);
+  endAt(grid.coordinate(axis, n + 1), high, last);
 }
 
-void placeCrossings(std::vector<Crossing>& crossings, const UniformGrid& grid, const NodeField& field,
-                    const Membership& membership, const RunContext& context, int threads) {
-  const CrossingSolver solver(grid, field, membership);
-  parallelFor(crossings.size(), threads, context, 64, [&](std::size_t i) {
-    if (!crossings[i].placed) solver.solve(crossings[i]);
-  });
+Crossing placed(const EdgePart& part, const UniformGrid& grid, const NodeField& field,
+                const Membership& membership) {
+  return CrossingSolver(grid, field, membership).solve(part);
 }
 
 }  // namespace thicken

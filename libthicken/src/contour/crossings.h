@@ -13,29 +13,30 @@
 
 namespace thicken {
 
-struct Crossing {
+/// A part of a grid edge that the contour crosses once.
+struct EdgePart {
   std::uint64_t edge = 0;   ///< UniformGrid::key(node, axis)
-  int jump = 0;             ///< −1: leaves the solid in the axis' direction; +1: enters it
-  double from = 0, to = 0;  ///< the part of the edge that it lies in, coordinates along the axis
-  /// Numbers of the nodes at the ends of that part; KeyIndex::kAbsent where it ends on the carrier.
+  double from = 0, to = 0;  ///< coordinates along the axis
+  /// Numbers of the nodes at the ends; KeyIndex::kAbsent where an end lies on the carrier.
   std::uint32_t fromNode = KeyIndex::kAbsent, toNode = KeyIndex::kAbsent;
+  int jump = 0;  ///< −1: leaves the solid in the axis' direction; +1: enters it
+};
+
+struct Crossing {
+  std::uint64_t edge = 0;  ///< of its part
   Vec3 at = Vec3::Zero();
   Vec3 normal = Vec3::Zero();  ///< unit, out of the solid; zero on the wall, where c(p) does not tell it
   Standing beyond = Standing::kFar;  ///< what the outer side is: tells shell (Definition 5b) from wall (5a)
-  bool placed = false;
+  std::int8_t jump = 0;              ///< of its part
 };
 
-/// The order of crossings: by edge, then along it.
-[[nodiscard]] inline bool inOrder(const Crossing& a, const Crossing& b) {
-  return a.edge != b.edge ? a.edge < b.edge : a.from < b.from;
-}
-
-/// Appends the crossings of the edge between the nodes `low` and `high` (numbers in `field`), in order.
+/// Appends the parts of the edge between the nodes `low` and `high` (numbers in `field`) that are crossed,
+/// along it.
 void crossEdge(const UniformGrid& grid, const NodeField& field, std::uint64_t edge, std::uint32_t low,
-               std::uint32_t high, std::span<const SurfaceCrossing> carrier, std::vector<Crossing>& out);
+               std::uint32_t high, std::span<const SurfaceCrossing> carrier, std::vector<EdgePart>& out);
 
-/// Places the crossings that are not placed yet and gives them their normals.
-void placeCrossings(std::vector<Crossing>& crossings, const UniformGrid& grid, const NodeField& field,
-                    const Membership& membership, const RunContext& context, int threads);
+/// Where a part is crossed, and the normal there. The samples of its nodes are known.
+[[nodiscard]] Crossing placed(const EdgePart& part, const UniformGrid& grid, const NodeField& field,
+                              const Membership& membership);
 
 }  // namespace thicken

@@ -16,12 +16,11 @@ namespace {
 
 class Builder {
  public:
-  Builder(const std::vector<Crossing>& crossings, const std::vector<RimWay>& ways, const UniformGrid& grid,
+  Builder(const std::vector<Crossing>& crossings, const std::vector<RimWay>& ways,
           std::span<const Vec3> positions, int threads)
       : threads_(threads),
         crossings_(crossings),
         ways_(ways),
-        grid_(grid),
         positions_(positions),
         crossingCount_(static_cast<std::uint32_t>(crossings.size())) {
     for (const RimWay& way : ways_) {
@@ -34,13 +33,13 @@ class Builder {
   }
 
   DualSurface build() {
-    matching_ = matchFaces(crossings_, passages_, threads_);
     joinSectors();
     numberVertices();
     divideDoubledEdges();
     makeFaces();
     makeStops();
     listCrossings();
+    vertexOf_ = std::vector<VertexId>();
     placeStart();
     return std::move(out_);
   }
@@ -70,9 +69,12 @@ class Builder {
 
   void joinSectors() {
     union_ = UnionFind(loneLoop(lone_));
-    union_.joinAll(2 * matching_.arcs.size(), threads_, [&](std::size_t i) {
-      const auto& [a, b] = matching_.arcs[i / 2];
-      return std::pair(beside(a, i % 2 == 1), beside(b, i % 2 == 1));
+    const bool shared = threadCount(threads_) > 1;
+    together_ = matchFaces(crossings_, passages_, threads_, [&](std::span<const Arc> arcs) {
+      for (const auto& [a, b] : arcs)
+        for (const bool upper : {false, true})
+          shared ? union_.joinShared(beside(a, upper), beside(b, upper))
+                 : union_.join(beside(a, upper), beside(b, upper));
     });
     std::uint32_t p = 0;
     for (const RimWay& way : ways_) {
@@ -87,40 +89,24 @@ class Builder {
   // In the order of the components' first elements, which are their roots.
   void numberVertices() {
     const std::vector<std::uint32_t> root = union_.roots(threads_);
+    union_ = UnionFind();
     std::vector<std::uint32_t> first((root.size() + kPart - 1) / kPart + 1, 0);
     parallelForParts(root.size(), threads_, RunContext(), kPart,
                      [&](std::size_t part, std::size_t begin, std::size_t end) {
                        for (std::size_t e = begin; e < end; ++e) first[part + 1] += root[e] == e;
                      });
     std::partial_sum(first.begin(), first.end(), first.begin());
-    out_.cell.resize(first.back());
+    out_.vertexCount = first.back();
     vertexOf_.resize(root.size());
     parallelForParts(root.size(), threads_, RunContext(), kPart,
                      [&](std::size_t part, std::size_t begin, std::size_t end) {
                        VertexId v = first[part];
-                       for (std::size_t e = begin; e < end; ++e) {
-                         if (root[e] != e) continue;
-                         if (e < 4 * std::size_t{crossingCount_})
-                           out_.cell[v] = cellOf(static_cast<std::uint32_t>(e));
-                         vertexOf_[e] = v++;
-                       }
+                       for (std::size_t e = begin; e < end; ++e)
+                         if (root[e] == e) vertexOf_[e] = v++;
                      });
     parallelFor(root.size(), threads_, RunContext(), kPart, [&](std::size_t e) {
       if (root[e] != e) vertexOf_[e] = vertexOf_[root[e]];
     });
-    std::uint32_t p = 0, loop = 0;
-    for (const RimWay& way : ways_)
-      for (const RimVisit& visit : way)
-        out_.cell[vertexOf_[way.size() == 1 ? loneLoop(loop++) : sideOf(p++, false)]] = visit.cell;
-    out_.onEdge.assign(out_.cell.size(), 0);
-  }
-
-  // The cell of a crossing's sector; all sectors of a component lie in one.
-  [[nodiscard]] GridIndex cellOf(std::uint32_t sector) const {
-    const std::uint64_t edge = crossings_[sector / 4].edge;
-    const GridIndex n = UniformGrid::indexOf(edge >> 2);
-    const GridIndex o = sectorOffset(static_cast<int>(edge & 3), static_cast<int>(sector % 4));
-    return {n[0] + o[0], n[1] + o[1], n[2] + o[2]};
   }
 
   // Two arcs in one face that join the same two vertices would be one edge: each gets a vertex.
@@ -130,8 +116,8 @@ class Builder {
       std::uint32_t arc;
     };
     std::vector<Dual> duals;
-    for (const std::uint32_t i : matching_.together) {
-      const std::uint32_t end = matching_.arcs[i].first;
+    for (std::uint32_t i = 0; i < together_.size(); ++i) {
+      const std::uint32_t end = together_[i].first;
       duals.push_back({vertexOf_[beside(end, false)], vertexOf_[beside(end, true)], i});
     }
     std::sort(duals.begin(), duals.end(), [](const Dual& x, const Dual& y) {
@@ -142,14 +128,11 @@ class Builder {
     };
     for (std::size_t i = 0; i < duals.size(); ++i) {
       if (!same(i, i + 1) && (i == 0 || !same(i, i - 1))) continue;
-      const Arc& arc = matching_.arcs[duals[i].arc];
+      const Arc& arc = together_[duals[i].arc];
       if (onArcEnd_.empty()) onArcEnd_.assign(4 * crossingCount_ + passages_.size(), kNone);
-      onArcEnd_[arc.first] = onArcEnd_[arc.second] = static_cast<VertexId>(out_.cell.size());
+      onArcEnd_[arc.first] = onArcEnd_[arc.second] = static_cast<VertexId>(out_.vertexCount++);
       edgePlaces_.push_back((placeOf(arc.first) + placeOf(arc.second)) / 2);
-      out_.cell.push_back(out_.cell[duals[i].a]);
-      out_.onEdge.push_back(1);
     }
-    out_.vertexCount = out_.cell.size();
   }
 
   // The vertex of a doubled dual edge; most surfaces have none.
@@ -251,12 +234,11 @@ class Builder {
   int threads_;
   const std::vector<Crossing>& crossings_;
   const std::vector<RimWay>& ways_;
-  const UniformGrid& grid_;
   std::span<const Vec3> positions_;
   std::uint32_t crossingCount_;
   std::uint32_t lone_ = 0;
   std::vector<RimPassage> passages_;
-  Matching matching_;
+  std::vector<Arc> together_;  ///< that share their face with others
   UnionFind union_{0};
   std::vector<VertexId> vertexOf_;
   std::vector<VertexId> onArcEnd_;  ///< empty: no dual edge is doubled
@@ -267,8 +249,8 @@ class Builder {
 }  // namespace
 
 DualSurface dualSurface(const std::vector<Crossing>& crossings, const std::vector<RimWay>& ways,
-                        const UniformGrid& grid, std::span<const Vec3> positions, int threads) {
-  return Builder(crossings, ways, grid, positions, threads).build();
+                        std::span<const Vec3> positions, int threads) {
+  return Builder(crossings, ways, positions, threads).build();
 }
 
 }  // namespace thicken

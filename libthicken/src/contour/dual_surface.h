@@ -15,10 +15,8 @@
 namespace thicken {
 
 struct DualSurface {
-  std::size_t vertexCount = 0;       ///< of cells' components, then of doubled dual edges
-  std::vector<Vec3> start;           ///< first position: mean of the crossings (§4.2)
-  std::vector<GridIndex> cell;       ///< that a vertex belongs to (one of two for doubled edges)
-  std::vector<std::uint8_t> onEdge;  ///< 1: vertex of a doubled dual edge
+  std::size_t vertexCount = 0;  ///< of cells' components, then of doubled dual edges
+  std::vector<Vec3> start;      ///< first position: mean of the crossings (§4.2)
   /// Corners of the face of each crossing, counter-clockwise seen from outside; 4 to 8 of them.
   FaceList faces;
   std::vector<std::uint8_t> shared;  ///< per crossing: its grid edge has others as well
@@ -39,6 +37,6 @@ struct DualSurface {
 };
 
 [[nodiscard]] DualSurface dualSurface(const std::vector<Crossing>& crossings, const std::vector<RimWay>& ways,
-                                      const UniformGrid& grid, std::span<const Vec3> positions, int threads);
+                                      std::span<const Vec3> positions, int threads);
 
 }  // namespace thicken

@@ -2,11 +2,11 @@
 #include "contour/face_matching.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <numeric>
 #include <span>
 
-#include "mesh/buckets.h"
 #include "mesh/parallel_sort.h"
 #include "thicken/error.h"
 
@@ -113,49 +113,82 @@ bool before(const Item& a, const Item& b) {
   return a.face != b.face ? a.face < b.face : a.end < b.end;
 }
 
-// All items, in the order of their faces. Crossings are in the order of their edges, so that their items are
-// already where only edges of one axis and sides of one kind are looked at.
-std::vector<Item> itemsInOrder(const std::vector<Crossing>& crossings,
-                               const std::vector<RimPassage>& passages, int threads) {
-  const auto ofAxis = intoBuckets<std::uint32_t>(crossings.size(), 3, threads, [&](std::size_t c, auto& put) {
-    put(crossings[c].edge & 3, static_cast<std::uint32_t>(c));
-  });
-  const auto first = static_cast<std::uint32_t>(4 * crossings.size());
-  std::vector<Item> items(first + passages.size());
-  std::vector<std::size_t> runs{0};
-  for (int axis = 0; axis < 3; ++axis)
-    for (int k = 0; k < 4; ++k) runs.push_back(runs.back() + ofAxis.offset[axis + 1] - ofAxis.offset[axis]);
-  parallelFor(crossings.size(), threads, RunContext(), 4096, [&](std::size_t i) {
-    const std::uint32_t c = ofAxis.values[i];
-    const auto axis = static_cast<std::uint32_t>(crossings[c].edge & 3);
-    for (std::uint32_t k = 0; k < 4; ++k) {
-      const SideFace side = sideFace(crossings[c].edge, static_cast<int>(k));
-      items[runs[4 * axis + k] + i - ofAxis.offset[axis]] = {side.key, 4 * c + k,
-                                                             crossings[c].jump * side.sense};
-    }
-  });
+// The items of the passages, in the order of their faces.
+std::vector<Item> passageItems(const std::vector<RimPassage>& passages, std::size_t crossings) {
+  const auto first = static_cast<std::uint32_t>(4 * crossings);
+  std::vector<Item> items(passages.size());
   for (std::uint32_t p = 0; p < passages.size(); ++p)
-    items[first + p] = {passages[p].face, first + p, -passages[p].sign};
-  std::sort(items.begin() + first, items.end(), before);
-  runs.push_back(items.size());
-  mergeRuns(items, std::move(runs), before, threads);
+    items[p] = {passages[p].face, first + p, -passages[p].sign};
+  std::sort(items.begin(), items.end(), before);
   return items;
 }
 
-// The arcs of the faces that begin in one part of the items.
-void matchPart(const Places& places, std::span<const Item> items, std::size_t begin, std::size_t end,
-               Matching& matching, std::vector<std::uint32_t>& together) {
-  std::size_t i = begin;
-  while (i > 0 && i < items.size() && items[i].face == items[i - 1].face) ++i;
-  for (std::size_t j = i; i < end; i = j) {
+// The faces of nodes from `low` to below `high` (keys).
+struct FaceRange {
+  std::uint64_t low, high;
+  [[nodiscard]] bool has(std::uint64_t face) const { return face >> 2 >= low && face >> 2 < high; }
+};
+
+// Calls visit(c) for the crossings of all edges beside the faces, and of some others, in order: those edges
+// begin at the faces' nodes or at the next one in the direction of an axis.
+template <class Visit>
+void forCrossingsBeside(const FaceRange& faces, const std::vector<Crossing>& crossings, Visit visit) {
+  const auto from = [&](std::uint64_t node) {
+    const auto at = std::lower_bound(crossings.begin(), crossings.end(), node,
+                                     [](const Crossing& c, std::uint64_t n) { return c.edge >> 2 < n; });
+    return static_cast<std::size_t>(at - crossings.begin());
+  };
+  std::size_t done = 0;
+  for (const GridIndex& next : {GridIndex{}, GridIndex{1, 0, 0}, GridIndex{0, 1, 0}, GridIndex{0, 0, 1}}) {
+    const std::uint64_t step = UniformGrid::key(next);
+    const std::size_t end = from(faces.high + step);
+    for (std::size_t c = std::max(done, from(faces.low + step)); c < end; ++c)
+      visit(static_cast<std::uint32_t>(c));
+    done = std::max(done, end);
+  }
+}
+
+// The items of the faces, in their order. Crossings are in the order of their edges, so that their items are
+// already where only edges of one axis and sides of one kind are looked at.
+std::vector<Item> itemsOf(const FaceRange& faces, const std::vector<Crossing>& crossings,
+                          std::span<const Item> passages) {
+  std::array<std::vector<Item>, 12> runs;
+  forCrossingsBeside(faces, crossings, [&](std::uint32_t c) {
+    const std::uint64_t edge = crossings[c].edge;
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      const SideFace side = sideFace(edge, static_cast<int>(k));
+      if (faces.has(side.key))
+        runs[4 * (edge & 3) + k].push_back({side.key, 4 * c + k, crossings[c].jump * side.sense});
+    }
+  });
+  std::vector<Item> items;
+  std::vector<std::size_t> bounds{0};
+  const auto append = [&](auto begin, auto end) {
+    items.insert(items.end(), begin, end);
+    bounds.push_back(items.size());
+  };
+  for (const std::vector<Item>& run : runs) append(run.begin(), run.end());
+  const auto beside = [&](std::uint64_t node) {
+    return std::lower_bound(passages.begin(), passages.end(), node,
+                            [](const Item& i, std::uint64_t n) { return i.face >> 2 < n; });
+  };
+  append(beside(faces.low), beside(faces.high));
+  mergeRuns(items, std::move(bounds), before, 1);
+  return items;
+}
+
+// The arcs of the items' faces; appends those that share their face with others to `together`.
+std::vector<Arc> arcsOf(std::span<const Item> items, const Places& places, std::vector<Arc>& together) {
+  std::vector<Arc> arcs(items.size() / 2);
+  for (std::size_t i = 0, j = 0; i < items.size(); i = j) {
     int sum = 0;
     for (; j < items.size() && items[j].face == items[i].face; ++j) sum += items[j].value;
     if (sum != 0)
       throw Error(ErrorCode::kInternal, "the contour's crossings do not cancel around a face of the grid");
-    matchOne(places, items.subspan(i, j - i), &matching.arcs[i / 2]);
-    if (j - i > 2)
-      for (std::size_t arc = i / 2; arc < j / 2; ++arc) together.push_back(static_cast<std::uint32_t>(arc));
+    matchOne(places, items.subspan(i, j - i), &arcs[i / 2]);
+    if (j - i > 2) together.insert(together.end(), &arcs[i / 2], &arcs[i / 2] + (j - i) / 2);
   }
+  return arcs;
 }
 
 }  // namespace
@@ -167,21 +200,24 @@ GridIndex sectorOffset(int axis, int k) {
   return offset;
 }
 
-Matching matchFaces(const std::vector<Crossing>& crossings, const std::vector<RimPassage>& passages,
-                    int threads) {
-  const std::vector<Item> items = itemsInOrder(crossings, passages, threads);
+std::vector<Arc> matchFaces(const std::vector<Crossing>& crossings, const std::vector<RimPassage>& passages,
+                            int threads, const VisitArcs& visit) {
+  constexpr std::size_t kPart = 1 << 12;
+  const std::vector<Item> ofPassages = passageItems(passages, crossings.size());
   const Places places(crossings, passages);
-  Matching matching;
-  matching.arcs.resize(items.size() / 2);
-  constexpr std::size_t kPart = 1 << 14;
-  std::vector<std::vector<std::uint32_t>> together((items.size() + kPart - 1) / kPart);
-  parallelForParts(items.size(), threads, RunContext(), kPart,
-                   [&](std::size_t part, std::size_t begin, std::size_t end) {
-                     matchPart(places, items, begin, end, matching, together[part]);
-                   });
-  for (const auto& part : together)
-    matching.together.insert(matching.together.end(), part.begin(), part.end());
-  return matching;
+  const std::size_t parts = std::max<std::size_t>(1, (crossings.size() + kPart - 1) / kPart);
+  // Faces of nodes before the first crossing's are those of the first part.
+  const auto bound = [&](std::size_t part) {
+    return part == 0 ? 0 : part == parts ? ~std::uint64_t{0} >> 2 : crossings[part * kPart].edge >> 2;
+  };
+  std::vector<std::vector<Arc>> together(parts);
+  parallelFor(parts, threads, RunContext(), 1, [&](std::size_t part) {
+    const FaceRange faces{bound(part), bound(part + 1)};
+    visit(arcsOf(itemsOf(faces, crossings, ofPassages), places, together[part]));
+  });
+  std::vector<Arc> all;
+  for (const auto& part : together) all.insert(all.end(), part.begin(), part.end());
+  return all;
 }
 
 }  // namespace thicken

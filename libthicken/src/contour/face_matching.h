@@ -5,6 +5,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -20,13 +22,13 @@ using Arc = std::pair<std::uint32_t, std::uint32_t>;
 /// Sector k of an edge along `axis` is the cell at this offset from the edge's node.
 [[nodiscard]] GridIndex sectorOffset(int axis, int k);
 
-struct Matching {
-  std::vector<Arc> arcs;                ///< in the order of the faces' keys
-  std::vector<std::uint32_t> together;  ///< numbers of those that share their face with others, ascending
-};
+/// Is given the arcs of some faces, in the order of the faces' keys; called on any thread.
+using VisitArcs = std::function<void(std::span<const Arc>)>;
 
-/// `crossings` in order, `passages` in the order of the ways' visits.
-[[nodiscard]] Matching matchFaces(const std::vector<Crossing>& crossings,
-                                  const std::vector<RimPassage>& passages, int threads);
+/// Matches all faces, those of a part of the crossings at a time, so that only a part is ever held. Returns
+/// the arcs that share their face with others, in the order of the faces' keys. `crossings` in order,
+/// `passages` in the order of the ways' visits.
+std::vector<Arc> matchFaces(const std::vector<Crossing>& crossings, const std::vector<RimPassage>& passages,
+                            int threads, const VisitArcs& visit);
 
 }  // namespace thicken

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "contour/face_matching.h"
+#include "field/block_bits.h"
 #include "mesh/parallel_sort.h"
 #include "parallel_for.h"
 
@@ -12,17 +13,18 @@ namespace thicken {
 
 namespace {
 
-// Cells are visited in batches, each of which goes through three steps: its nodes and edges are listed, its
-// nodes are evaluated, its edges are examined. Three batches are under way at any time, one in each step.
-// Listing is for one thread, in a fixed order; the others evaluate and examine meanwhile.
+// Cells are visited in batches, each of which goes through four steps: its nodes and edges are listed, its
+// nodes are evaluated, its edges are examined, its crossings are placed. Four batches are under way at any
+// time, one in each step. Listing is for one thread, in a fixed order; the others do the rest meanwhile.
 class Follower {
  public:
   Follower(const UniformGrid& grid, const CarrierCrossings& carrier, const Membership& membership,
-           NodeField& field, const RunContext& context, int threads)
+           NodeField& field, const Placing& placing, const RunContext& context, int threads)
       : grid_(grid),
         carrier_(carrier),
         membership_(membership),
         field_(field),
+        placing_(placing),
         context_(context),
         threads_(threads) {}
 
@@ -31,6 +33,7 @@ class Follower {
     std::vector<GridIndex> further;
     for (const Vec3& p : placed(seeds)) further.push_back(cellOf(p));
     followFrom(further);
+    if (field_.mayDrop()) field_.release();
     return sorted();
   }
 
@@ -58,15 +61,15 @@ class Follower {
     return {grid_.indexBelow(0, p.x()), grid_.indexBelow(1, p.y()), grid_.indexBelow(2, p.z())};
   }
 
+  // Of a cell.
+  static constexpr std::uint8_t kEntered = 1, kCrossed = 2;
+
   [[nodiscard]] bool isCrossed(const GridIndex& cell) const {
-    const std::uint32_t i = cells_.find(UniformGrid::key(cell));
-    return i != BlockIndex::kAbsent && crossed_[i] != 0;
+    return (cells_.of(UniformGrid::key(cell)) & kCrossed) != 0;
   }
 
-  std::uint32_t addCell(std::uint64_t key) {
-    const auto [i, isNew] = cells_.insert(key);
-    if (isNew) crossed_.push_back(0);
-    return i;
+  void addCell(std::uint64_t key, std::uint8_t bits = kEntered) {
+    if (cells_.set(key, bits) == 0) waiting_.push_back(key);
   }
 
   struct Edge {
@@ -77,32 +80,44 @@ class Follower {
     std::size_t cells = 0;
     std::vector<NodeField::Wanted> nodes;
     std::vector<Edge> edges;
-    std::vector<std::vector<Crossing>> found;  ///< on the edges, kEdges of them at a time
+    std::vector<std::vector<EdgePart>> parts;  ///< of the edges, kEdges of them at a time
   };
   static constexpr std::size_t kNodes = 16, kEdges = 256;  // that a thread takes at a time
 
   void follow() {
-    Batch toEvaluate, toExamine, examined;
-    while (done_ < cells_.size() || toEvaluate.cells + toExamine.cells + examined.cells > 0) {
+    Batch toEvaluate, toExamine, toPlace;
+    for (;;) {
+      const std::size_t underWay = toEvaluate.cells + toExamine.cells + toPlace.cells;
+      if (underWay == 0 && waiting() == 0) return;
+      if (underWay == 0 && field_.isFull()) dropNodes();
       const std::size_t nodeParts = (toEvaluate.nodes.size() + kNodes - 1) / kNodes;
-      toExamine.found.resize((toExamine.edges.size() + kEdges - 1) / kEdges);
-      std::size_t mayWait = cells_.size() - done_;
-      for (const auto& part : examined.found) mayWait += 4 * part.size();
+      const std::size_t edgeParts = (toExamine.edges.size() + kEdges - 1) / kEdges;
+      toExamine.parts.resize(edgeParts);
+      const std::size_t first = found_.size();
+      found_.resize(first + toPlace.parts.size());
+      std::size_t mayWait = waiting();
+      for (const auto& parts : toPlace.parts) mayWait += 4 * parts.size();
       field_.makeRoom(8 * share(mayWait, toEvaluate.cells + toExamine.cells));
       Batch listed;
-      parallelFor(1 + nodeParts + toExamine.found.size(), threads_, context_, 1, [&](std::size_t i) {
-        if (i == 0) {
-          markCells(examined);
-          listed = list(share(cells_.size() - done_, toEvaluate.cells + toExamine.cells));
-        } else if (i <= nodeParts) {
-          evaluate(toEvaluate, i - 1);
-        } else {
-          examine(toExamine, i - 1 - nodeParts);
-        }
-      });
-      examined = std::exchange(toExamine, std::exchange(toEvaluate, std::move(listed)));
+      parallelFor(1 + nodeParts + edgeParts + toPlace.parts.size(), threads_, context_, 1,
+                  [&](std::size_t i) {
+                    if (i == 0) {
+                      markCells(toPlace);
+                      listed = list(share(waiting(), toEvaluate.cells + toExamine.cells));
+                    } else if (i <= nodeParts) {
+                      evaluate(toEvaluate, i - 1);
+                    } else if (i <= nodeParts + edgeParts) {
+                      examine(toExamine, i - 1 - nodeParts);
+                    } else {
+                      const std::size_t k = i - 1 - nodeParts - edgeParts;
+                      found_[first + k] = allPlaced(toPlace.parts[k]);
+                    }
+                  });
+      toPlace = std::exchange(toExamine, std::exchange(toEvaluate, std::move(listed)));
     }
   }
+
+  [[nodiscard]] std::size_t waiting() const { return waiting_.size() - done_; }
 
   // How many cells of those that wait are taken, so that the three batches are of one size.
   [[nodiscard]] static std::size_t share(std::size_t waiting, std::size_t underWay) {
@@ -114,12 +129,18 @@ class Follower {
       addCell(UniformGrid::key({cell[0] + c % 3 - 1, cell[1] + c / 3 % 3 - 1, cell[2] + c / 9 - 1}));
   }
 
+  // Nothing while the field is full: what is under way still needs its nodes.
   Batch list(std::size_t cells) {
     Batch batch;
+    if (field_.isFull()) return batch;
     batch.cells = cells;
     field_.countCells(cells);
     for (const std::size_t end = done_ + cells; done_ < end; ++done_)
-      enter(UniformGrid::indexOf(cells_.keys()[done_]), batch.edges);
+      enter(UniformGrid::indexOf(waiting_[done_]), batch.edges);
+    if (done_ > waiting_.size() / 2) {
+      waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(done_));
+      done_ = 0;
+    }
     batch.nodes = field_.takeWanted();
     return batch;
   }
@@ -127,8 +148,7 @@ class Follower {
   // Lists the cell's nodes and edges that no cell before it had.
   void enter(const GridIndex& cell, std::vector<Edge>& edges) {
     std::array<std::uint32_t, 8> corner{};
-    for (int c = 0; c < 8; ++c) corner[c] = field_.want(nodeOf(cell, c));
-    listed_.resize(field_.size(), 0);
+    for (int c = 0; c < 8; ++c) corner[c] = numberOf(nodeOf(cell, c));
     for (int axis = 0; axis < 3; ++axis)
       for (int c = 0; c < 8; ++c) {
         std::uint8_t& listed = listed_[corner[c]];
@@ -137,6 +157,21 @@ class Follower {
         edges.push_back(
             {(nodeOf(cell, c) << 2) | static_cast<std::uint64_t>(axis), corner[c], corner[c | (1 << axis)]});
       }
+  }
+
+  [[nodiscard]] std::uint32_t numberOf(std::uint64_t node) {
+    const std::uint32_t i = field_.want(node);
+    while (listed_.size() < field_.size())
+      listed_.push_back(anyDropped_ ? listedBefore_.of(field_.key(static_cast<std::uint32_t>(listed_.size())))
+                                    : std::uint8_t{0});
+    return i;
+  }
+
+  void dropNodes() {
+    for (std::uint32_t i = 0; i < listed_.size(); ++i) listedBefore_.set(field_.key(i), listed_[i]);
+    anyDropped_ = true;
+    listed_.clear();
+    field_.drop();
   }
 
   void evaluate(const Batch& batch, std::size_t part) {
@@ -152,40 +187,50 @@ class Follower {
       // An edge is as long as a cell is wide, so that nothing crosses it which is farther from its end.
       const bool reached = field_[e.low].carrierDistance <= kSure * grid_.width();
       crossEdge(grid_, field_, e.key, e.low, e.high,
-                reached ? carrier_.of(e.key) : std::vector<SurfaceCrossing>(), batch.found[part]);
+                reached ? carrier_.of(e.key) : std::vector<SurfaceCrossing>(), batch.parts[part]);
     }
   }
 
   // The cells around what was found are crossed; those that are new are to be visited.
-  void markCells(Batch& examined) {
-    for (auto& part : examined.found) {
-      for (const Crossing& c : part)
-        for (int k = 0; k < 4; ++k) crossed_[addCell(cellAround(c.edge, k))] = 1;
-      if (!part.empty()) found_.push_back(std::move(part));
-    }
-    examined = {};
+  void markCells(const Batch& examined) {
+    for (const auto& parts : examined.parts)
+      for (const EdgePart& p : parts)
+        for (int k = 0; k < 4; ++k) addCell(cellAround(p.edge, k), kEntered | kCrossed);
   }
 
-  // All that was found, in order. What is sorted is a fraction of what a crossing holds.
+  [[nodiscard]] std::vector<Crossing> allPlaced(std::span<const EdgePart> parts) const {
+    std::vector<Crossing> crossings;
+    crossings.reserve(parts.size());
+    for (const EdgePart& p : parts) crossings.push_back(placing_(p));
+    return crossings;
+  }
+
+  // All that was found, in order. What is sorted is a fraction of what a crossing holds; those of one edge
+  // were found together, in their order.
   [[nodiscard]] std::vector<Crossing> sorted() const {
     struct Place {
       std::uint64_t edge;
-      double from;
-      const Crossing* crossing;
+      std::uint32_t part, within;
     };
     std::vector<std::size_t> first{0};
     for (const auto& part : found_) first.push_back(first.back() + part.size());
     std::vector<Place> places(first.back());
     parallelFor(found_.size(), threads_, context_, 64, [&](std::size_t i) {
       for (std::size_t k = 0; k < found_[i].size(); ++k)
-        places[first[i] + k] = {found_[i][k].edge, found_[i][k].from, &found_[i][k]};
+        places[first[i] + k] = {found_[i][k].edge, static_cast<std::uint32_t>(i),
+                                static_cast<std::uint32_t>(k)};
     });
     parallelSort(
         places,
-        [](const Place& a, const Place& b) { return a.edge != b.edge ? a.edge < b.edge : a.from < b.from; },
+        [](const Place& a, const Place& b) {
+          return a.edge != b.edge   ? a.edge < b.edge
+                 : a.part != b.part ? a.part < b.part
+                                    : a.within < b.within;
+        },
         threads_);
     std::vector<Crossing> all(places.size());
-    parallelFor(all.size(), threads_, context_, 4096, [&](std::size_t i) { all[i] = *places[i].crossing; });
+    parallelFor(all.size(), threads_, context_, 4096,
+                [&](std::size_t i) { all[i] = found_[places[i].part][places[i].within]; });
     return all;
   }
 
@@ -204,12 +249,15 @@ class Follower {
   const CarrierCrossings& carrier_;
   const Membership& membership_;
   NodeField& field_;
+  const Placing& placing_;
   const RunContext& context_;
   int threads_;
-  BlockIndex cells_;
-  std::vector<std::uint8_t> crossed_;  ///< per cell
-  std::size_t done_ = 0;               ///< cells
-  std::vector<std::uint8_t> listed_;   ///< per node, a bit for each axis: its edge is in edges_
+  BlockBits<2> cells_;                  ///< kEntered, kCrossed
+  std::vector<std::uint64_t> waiting_;  ///< cells that were entered; the first done_ have been listed
+  std::size_t done_ = 0;
+  std::vector<std::uint8_t> listed_;  ///< per node that is known, a bit for each axis: its edge was listed
+  BlockBits<3> listedBefore_;         ///< the same for nodes that were dropped
+  bool anyDropped_ = false;
   std::vector<std::vector<Crossing>> found_;
 };
 
@@ -217,9 +265,9 @@ class Follower {
 
 std::vector<Crossing> followContour(const UniformGrid& grid, std::span<const GridIndex> rimCells,
                                     const Seeds& seeds, const CarrierCrossings& carrier,
-                                    const Membership& membership, NodeField& field, const RunContext& context,
-                                    int threads) {
-  return Follower(grid, carrier, membership, field, context, threads).run(rimCells, seeds);
+                                    const Membership& membership, NodeField& field, const Placing& placing,
+                                    const RunContext& context, int threads) {
+  return Follower(grid, carrier, membership, field, placing, context, threads).run(rimCells, seeds);
 }
 
 }  // namespace thicken

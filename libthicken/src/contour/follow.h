@@ -19,11 +19,18 @@ struct Seeds {
   std::function<Vec3(const Vec3&)> toContour;  ///< moves such a point onto it; called on any thread
 };
 
-/// All crossings of what hangs together with `rimCells` or with `seeds`, sorted by edge, then along it; not
-/// placed. Seeds in cells that the contour is already known to pass are not looked at.
+/// Says where a part of an edge is crossed, while the samples of its nodes are known; called on any thread.
+using Placing = std::function<Crossing(const EdgePart&)>;
+
+/// All crossings of what hangs together with `rimCells` or with `seeds`, sorted by edge, then along it. Seeds
+/// in cells that the contour is already known to pass are not looked at. A field that may drop its
+/// nodes does so where it is full, and those that are wanted once more are evaluated once more; in the end it
+/// has none.
 [[nodiscard]] std::vector<Crossing> followContour(const UniformGrid& grid,
                                                   std::span<const GridIndex> rimCells, const Seeds& seeds,
-                                                  const CarrierCrossings& carrier, const Membership& membership,
-                                                  NodeField& field, const RunContext& context, int threads);
+                                                  const CarrierCrossings& carrier,
+                                                  const Membership& membership, NodeField& field,
+                                                  const Placing& placing, const RunContext& context,
+                                                  int threads);
 
 }  // namespace thicken

@@ -4,6 +4,7 @@
 // themselves.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -31,6 +32,12 @@ class KeyIndex {
 
   [[nodiscard]] const std::vector<std::uint64_t>& keys() const { return keys_; }
   [[nodiscard]] std::size_t size() const { return keys_.size(); }
+
+  /// Forgets all keys, but keeps their memory.
+  void clear() {
+    std::fill(slots_.begin(), slots_.end(), kAbsent);
+    keys_.clear();
+  }
 
  private:
   // Fibonacci hashing; keys of neighbours differ in few bits.

@@ -30,7 +30,11 @@ class NodeField {
     [[nodiscard]] bool inside() const { return standing == Standing::kInside; }
   };
 
-  explicit NodeField(const UniformGrid& grid) : grid_(grid) {}
+  static constexpr std::size_t kAny = ~std::size_t{0};
+
+  /// `most`: how many nodes are to be known at a time. It is for those who want nodes to look at isFull() and
+  /// to drop() them all.
+  explicit NodeField(const UniformGrid& grid, std::size_t most = kAny) : grid_(grid), most_(most) {}
 
   /// A node that no sample is known of yet.
   struct Wanted {
@@ -70,12 +74,30 @@ class NodeField {
       visit(grid_.node(UniformGrid::indexOf(key(i))), samples_[i]);
   }
   [[nodiscard]] std::size_t size() const { return samples_.size(); }
+  [[nodiscard]] bool mayDrop() const { return most_ != kAny; }
+  [[nodiscard]] bool isFull() const { return samples_.size() >= most_; }
+  /// Forgets all nodes and their numbers, but keeps their memory for others.
+  void drop() {
+    dropped_ += samples_.size();
+    index_.clear();
+    samples_.clear();
+    asked_.clear();
+  }
+  /// The same, and frees their memory.
+  void release() {
+    drop();
+    index_ = {};
+    samples_ = std::vector<Sample>();
+    asked_ = std::vector<std::uint8_t>();
+  }
   /// The node (UniformGrid::key) of a number.
   [[nodiscard]] std::uint64_t key(std::uint32_t i) const { return index_.keys()[i]; }
 
-  /// What the field has cost: cells that were looked at, in every attempt, and nodes that it is known at.
+  /// What the field has cost: cells that were looked at, in every attempt, and nodes that it is or was known
+  /// at.
   void countCells(std::size_t more) { cells_ += more; }
   [[nodiscard]] std::size_t cells() const { return cells_; }
+  [[nodiscard]] std::size_t nodes() const { return dropped_ + samples_.size(); }
 
   /// Evaluates all nodes that are wanted.
   void evaluate(const Membership& membership, const RunContext& context, int threads);
@@ -87,11 +109,12 @@ class NodeField {
 
  private:
   UniformGrid grid_;
+  std::size_t most_;
   BlockIndex index_;
   std::vector<Sample> samples_;
   std::vector<std::uint8_t> asked_;  ///< per node: its sample is known, or wanted
   std::vector<Wanted> wanted_;
-  std::size_t cells_ = 0;
+  std::size_t cells_ = 0, dropped_ = 0;
 };
 
 }  // namespace thicken

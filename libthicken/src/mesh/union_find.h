@@ -37,6 +37,18 @@ class UnionFind {
       up_[a] = b;
   }
 
+  /// As join(), on any number of threads at a time.
+  void joinShared(std::uint32_t a, std::uint32_t b) {
+    for (;;) {
+      a = rootShared(a);
+      b = rootShared(b);
+      if (a == b) return;
+      if (a > b) std::swap(a, b);
+      std::uint32_t root = b;
+      if (Shared(up_[b]).compare_exchange_strong(root, a, std::memory_order_relaxed)) return;
+    }
+  }
+
   /// Joins the pair of numbers pairOf(i) for every i below `count`.
   template <class PairOf>
   void joinAll(std::size_t count, int threads, PairOf pairOf) {
@@ -76,16 +88,6 @@ class UnionFind {
       const std::uint32_t next = Shared(up_[up]).load(std::memory_order_relaxed);
       if (next != up) Shared(up_[i]).store(next, std::memory_order_relaxed);
       i = next;
-    }
-  }
-  void joinShared(std::uint32_t a, std::uint32_t b) {
-    for (;;) {
-      a = rootShared(a);
-      b = rootShared(b);
-      if (a == b) return;
-      if (a > b) std::swap(a, b);
-      std::uint32_t root = b;
-      if (Shared(up_[b]).compare_exchange_strong(root, a, std::memory_order_relaxed)) return;
     }
   }
 

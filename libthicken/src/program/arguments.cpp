@@ -155,6 +155,7 @@ Request readArguments(int argc, const char* const* argv) {
   if (!check) requireValid(arguments.options);
   if (!arguments.repaired.empty() && !arguments.options.repair)
     throw Error(ErrorCode::kInvalidArgument, "--repaired writes what --repair makes; give --repair, too");
+  arguments.limitGiven = memory > 0;
   arguments.memoryLimit = memory > 0 ? static_cast<std::size_t>(memory * kMebibyte) : machineMemory();
   refuseSharedPaths(arguments);
   return {arguments, {}};

@@ -22,6 +22,7 @@ struct Arguments {
   std::filesystem::path repaired;  ///< kThicken only: where the repaired surface goes; empty: nowhere
   Options options;                 ///< kThicken only; precision follows from the output
   std::size_t memoryLimit = 0;     ///< bytes; 0: no limit
+  bool limitGiven = false;         ///< whether it was asked for, and is not just what the machine has
   bool quiet = false;
 };
 

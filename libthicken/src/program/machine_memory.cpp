@@ -3,11 +3,12 @@
 
 #include <unistd.h>
 
-#ifdef __GLIBC__
+#include <climits>
+#include <cstdlib>  // says which C library it is
+
+#if defined(__GLIBC__)
 #include <malloc.h>
 #endif
-
-#include <climits>
 
 namespace thicken::program {
 
@@ -19,9 +20,17 @@ std::size_t machineMemory() noexcept {
 }
 
 void keepFreedMemory() noexcept {
-#ifdef __GLIBC__
+#if defined(__GLIBC__)
   mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the largest that there is
   mallopt(M_TRIM_THRESHOLD, INT_MAX);
+#endif
+}
+
+void returnFreedArrays() noexcept {
+#if defined(__GLIBC__)
+  constexpr int kLarge = 1 << 18;  // bytes; left alone, the C library raises it to that of what was freed
+  mallopt(M_MMAP_THRESHOLD, kLarge);
+  mallopt(M_TRIM_THRESHOLD, kLarge);
 #endif
 }
 

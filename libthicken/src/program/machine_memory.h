@@ -12,4 +12,8 @@ namespace thicken::program {
 /// having every page zeroed again: that is a tenth of the time of a quick run.
 void keepFreedMemory() noexcept;
 
+/// From now on large arrays go back to the system as soon as they are freed, at the cost of some time, so
+/// that what the process holds is what it uses.
+void returnFreedArrays() noexcept;
+
 }  // namespace thicken::program

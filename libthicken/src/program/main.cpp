@@ -27,6 +27,7 @@ int run(int argc, const char* const* argv, bool& quiet) {
   quiet = request.arguments->quiet;
   RunContext context;
   context.setMemoryLimit(request.arguments->memoryLimit);
+  request.arguments->limitGiven ? returnFreedArrays() : keepFreedMemory();
   cancelOnInterrupt(context);
   request.arguments->command == Command::kCheck ? runCheck(*request.arguments, context)
                                                 : runThicken(*request.arguments, context);
@@ -41,7 +42,6 @@ int fail(const Error& error, bool quiet) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  keepFreedMemory();
   bool quiet = false;
   try {
     return run(argc, argv, quiet);

@@ -47,6 +47,14 @@ class Assembler {
     out_.crossing.push_back(Assembly::kStrip);
   }
 
+  // One on every edge of the rim, and one or two beside every passage.
+  [[nodiscard]] std::size_t mostStripTriangles() const {
+    std::size_t most = 0;
+    for (const RimWay& way : ways_)
+      for (const RimVisit& visit : way) most += visit.vertices.size() + 2;
+    return most;
+  }
+
   // Where the faces of a part of the crossings go: their middle vertices and their triangles.
   struct Place {
     std::size_t middles = 0, triangles = 0;
@@ -68,6 +76,11 @@ class Assembler {
     const std::size_t triangles = out_.carrierTriangles + place.back().triangles;
     out_.mesh.positions.resize(out_.carrierVertices + dual_.vertexCount + place.back().middles);
     out_.middleOf.resize(place.back().middles);
+    // With room for the strips, which are not to make a copy of it all.
+    const std::size_t more = mostStripTriangles();
+    out_.mesh.triangles.reserve(triangles + more);
+    out_.region.reserve(triangles + more);
+    out_.crossing.reserve(place.back().triangles + more);
     out_.mesh.triangles.resize(triangles);
     out_.region.resize(triangles);
     out_.crossing.resize(place.back().triangles);

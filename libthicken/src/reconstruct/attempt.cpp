@@ -5,11 +5,13 @@
 #include <utility>
 
 #include "measure/stopwatch.h"
+#include "mesh/freed_memory.h"
 #include "mesh/half_edges.h"
 #include "mesh/sort_unique.h"
 #include "reconstruct/covered.h"
 #include "reconstruct/diagonals.h"
 #include "reconstruct/loose_parts.h"
+#include "reconstruct/reconstruct.h"
 #include "reconstruct/shape.h"
 #include "reconstruct/strip_region.h"
 
@@ -25,14 +27,16 @@ constexpr double kLift = 0.75, kSettlingLift = 0.25;
 }  // namespace
 
 Attempt::Attempt(const TriangleMesh& surface, const ClosestPointTree& tree, const SweepResult& swept,
-                 const Options& options, double width, const RunContext& context, int threads)
+                 const Options& options, double width, const WorkingSet& working, const RunContext& context,
+                 int threads)
     : walls_(surface, tree, swept, options.thickness, context, threads),
-      contourer_(surface, options.thickness, width, context, threads),
+      contourer_(surface, options.thickness, width, working, context, threads),
       surface_(surface),
       tree_(tree),
       swept_(swept),
       options_(options),
       width_(width),
+      working_(working),
       context_(context),
       threads_(threads) {}
 
@@ -45,20 +49,29 @@ std::vector<TriangleId> Attempt::run(std::span<const std::uint8_t> keep, Stopwat
                               carrier.region, carrier.covered, threads_);
   watch.lap("sweep");
   Contour contour = contourer_.contour(carrier, membership, openShell(keep), watch);
+  // How many crossings there are was an estimate until now.
+  working_ = requireRoomForField(surface_, contour.crossings.size(), options_.thickness, width_, context_);
+  if (working_.isLean) returnFreedMemory();
   assembly_ = assemble(carrier, contour.dual, contour.crossings, contour.ways, threads_);
   dropSpecks(assembly_, width_, threads_);
+  if (working_.isLean) returnFreedMemory();
   watch.lap("faces");
   const int rounds = options_.smooth.value_or(kDefaultRounds);
   const std::vector<Vec3> target = shapedPositions(assembly_, contour.dual, contour.crossings, membership,
                                                    width_, rounds, context_, threads_);
   chooseDiagonals(assembly_, contour.dual, contour.crossings, target, context_, threads_);
-  const std::vector<TriangleId> unsettled =
-      settle(assembly_, target, carrier.up, kSettlingLift * width_, proved_, context_, threads_);
+  contour.dual = {};
+  if (working_.isLean) {
+    contour.crossings = std::vector<Crossing>();
+    returnFreedMemory();
+  }
+  const std::vector<TriangleId> unsettled = settle(assembly_, target, carrier.up, kSettlingLift * width_,
+                                                   proved_, working_.triangles, context_, threads_);
   std::vector<TriangleId> meeting = unsettled.empty() ? crowdedTriangles() : unsettled;
   if (meeting.empty()) {
     dropMisplaced(assembly_, threads_);
     labelStrip(assembly_, threads_);
-  } else {  // for the next attempt
+  } else if (!working_.isLean) {  // for the next attempt
     proved_.replace(assembly_.mesh, unsettled, threads_);
     contourer_.remember(std::move(contour.crossings));
   }

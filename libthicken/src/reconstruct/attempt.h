@@ -19,7 +19,8 @@ class Attempt {
  public:
   /// All arguments by reference must outlive the attempt. `width` is the cells', mm.
   Attempt(const TriangleMesh& surface, const ClosestPointTree& tree, const SweepResult& swept,
-          const Options& options, double width, const RunContext& context, int threads);
+          const Options& options, double width, const WorkingSet& working, const RunContext& context,
+          int threads);
 
   /// Makes the boundary from the triangles of the sweep that `keep` marks (S's among them). Returns the
   /// triangles of assembly() that meet others, ascending; none: it is done.
@@ -29,6 +30,8 @@ class Attempt {
   bool liftWalls(std::span<const TriangleId> meeting);
 
   [[nodiscard]] const Assembly& assembly() const { return assembly_; }
+  /// Takes it, when no more attempts are to follow.
+  [[nodiscard]] Assembly takeAssembly() { return std::move(assembly_); }
   [[nodiscard]] const NodeField& field() const { return contourer_.field(); }
 
  private:
@@ -43,6 +46,7 @@ class Attempt {
   const SweepResult& swept_;
   const Options& options_;
   double width_;
+  WorkingSet working_;
   const RunContext& context_;
   int threads_;
   ProvedTriangles proved_;

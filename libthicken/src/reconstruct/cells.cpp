@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "field/uniform_grid.h"
 #include "mesh/bounds.h"
+#include "mesh/normals.h"
 #include "reconstruct/reconstruct.h"
 #include "thicken/error.h"
 
@@ -13,15 +17,24 @@ namespace thicken {
 
 namespace {
 
+// The least width of cells that fit where those of `width` make so many crossings; infinite: none.
+double widthThatFits(std::size_t crossings, std::size_t held, double width, std::size_t limit) {
+  const std::size_t fixed = held + leanBytes(0);
+  if (limit <= fixed) return std::numeric_limits<double>::infinity();
+  return width * std::sqrt(double(leanBytes(crossings) - leanBytes(0)) / double(limit - fixed)) * 1.01;
+}
+
 // Refuses what would not fit before any of it is taken, with the width that would.
-void requireMemory(double area, double r, double width, const RunContext& context) {
-  const std::size_t bytes = fieldBytes(area, width), limit = context.memoryLimit();
+void requireMemory(std::size_t crossings, std::size_t held, double r, double width,
+                   const RunContext& context) {
+  const std::size_t limit = context.memoryLimit();
   if (limit == 0) return;
-  const double fits = width * std::sqrt(double(bytes) / double(limit)) * 1.01;
-  context.reserve(
-      bytes, fits < r / 2 ? fmt::format("a cell width of {:.4g} mm would fit", fits)
-                          : std::string("no cell width below half the thickness would fit; thicken a part of "
-                                        "the surface at a time, or ask for a larger thickness"));
+  const double fits = widthThatFits(crossings, held, width, limit);
+  context.reserve(held + leanBytes(crossings),
+                  fits < r / 2
+                      ? fmt::format("a cell width of {:.4g} mm would fit", fits)
+                      : std::string("no cell width below half the thickness would fit; thicken a part of "
+                                    "the surface at a time, or ask for a larger thickness"));
 }
 
 void requireCells(const TriangleMesh& surface, double r, double width) {
@@ -38,14 +51,24 @@ void requireCells(const TriangleMesh& surface, double r, double width) {
 
 }  // namespace
 
-bool hasRoomForField(double area, double width, const RunContext& context) {
-  return context.memoryLimit() == 0 || fieldBytes(area, width) <= context.memoryLimit();
+bool hasRoomForField(const TriangleMesh& surface, std::size_t crossings, const RunContext& context) {
+  const std::size_t limit = context.memoryLimit();
+  return limit == 0 || heldBytes(surface) + leanBytes(crossings) <= limit;
 }
 
-void requireRoomForField(const TriangleMesh& surface, double area, double r, double width,
-                         const RunContext& context) {
+WorkingSet requireRoomForField(const TriangleMesh& surface, std::size_t crossings, double r, double width,
+                               const RunContext& context) {
   requireCells(surface, r, width);
-  requireMemory(area, r, width, context);
+  const std::size_t held = heldBytes(surface);
+  requireMemory(crossings, held, r, width, context);
+  return workingSetFor(crossings, held, context);
+}
+
+double widthWithRoom(const TriangleMesh& surface, std::size_t crossings, double width, const Options& options,
+                     const RunContext& context) {
+  if (options.cell || options.resolution || options.tolerance || hasRoomForField(surface, crossings, context))
+    return width;
+  return widthThatFits(crossings, heldBytes(surface), width, context.memoryLimit());
 }
 
 double cellWidth(const TriangleMesh& surface, double area, const Options& options, double mostCells) {
@@ -72,12 +95,35 @@ double cellWidth(const TriangleMesh& surface, double area, const Options& option
   return std::clamp(byArea, finest, r / 2.2);
 }
 
-std::size_t fieldBytes(double area, double width) {
-  // Measured: what a crossing costs in all its forms, with a margin; and crossings per w² of shell,
-  // the mean of |n_x| + |n_y| + |n_z| with another for what the shell is larger than S.
-  constexpr double kPerCrossing = 1500;
+std::size_t mostCrossings(double area, double width) {
+  // Per w² of shell the mean of |n_x| + |n_y| + |n_z|, with a margin for what the shell is larger than S.
   constexpr double kCrossings = 1.5 * 1.25;
-  return static_cast<std::size_t>(std::min(1e18, kPerCrossing * kCrossings * area / (width * width)));
+  return static_cast<std::size_t>(std::min(1e15, kCrossings * area / (width * width)));
+}
+
+std::size_t mostShellCrossings(const TriangleMesh& surface, double r, double width, int threads) {
+  // A triangle crosses as many lines of the grid as its shadows along the axes are large. The shell's is that
+  // of S with its vertices moved along their normals, less what turns over, which other parts of S cut off.
+  const auto normal = vertexNormals(surface.positions, surface.triangles,
+                                    faceNormals(surface.positions, surface.triangles, threads), threads);
+  double shadows = 0;
+  for (const Triangle& t : surface.triangles) {
+    std::array<Vec3, 3> p, q;
+    for (int k = 0; k < 3; ++k) {
+      p[k] = surface.positions[t[k]];
+      q[k] = p[k] - r * normal[t[k]];
+    }
+    const Vec3 area = (q[1] - q[0]).cross(q[2] - q[0]) / 2;
+    if (area.dot((p[1] - p[0]).cross(p[2] - p[0])) > 0) shadows += area.cwiseAbs().sum();
+  }
+  constexpr double kMargin = 1.1;
+  return static_cast<std::size_t>(std::min(1e15, kMargin * shadows / (width * width)));
+}
+
+std::size_t heldBytes(const TriangleMesh& surface) {
+  // Measured, with a margin.
+  constexpr std::size_t kPerTriangle = 850, kBase = std::size_t{10} << 20;
+  return kBase + kPerTriangle * surface.triangles.size();
 }
 
 }  // namespace thicken

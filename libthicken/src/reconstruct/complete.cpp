@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "exact/box_tree.h"
@@ -122,7 +123,23 @@ std::vector<double> depths(const TriangleMesh& surface, const ClosestPointTree& 
   return depth;
 }
 
-Reconstruction finish(const Assembly& assembly, const TriangleMesh& surface, const SweepResult& swept,
+// The vertices that the triangles use, numbered as they come, those of S first.
+void dropUnused(TriangleMesh& mesh, std::size_t surfaceVertices) {
+  std::vector<VertexId> to(mesh.positions.size(), kNone);
+  auto count = static_cast<VertexId>(surfaceVertices);
+  std::iota(to.begin(), to.begin() + count, VertexId{0});
+  for (Triangle& t : mesh.triangles)
+    for (VertexId& v : t) {
+      if (to[v] == kNone) to[v] = count++;
+      v = to[v];
+    }
+  std::vector<Vec3> positions(count);
+  for (std::size_t v = 0; v < to.size(); ++v)
+    if (to[v] != kNone) positions[to[v]] = mesh.positions[v];
+  mesh.positions = std::move(positions);
+}
+
+Reconstruction finish(Assembly assembly, const TriangleMesh& surface, const SweepResult& swept,
                       std::span<const std::uint8_t> keep, std::vector<double> depth) {
   Reconstruction result;
   result.depth = std::move(depth);
@@ -133,23 +150,16 @@ Reconstruction finish(const Assembly& assembly, const TriangleMesh& surface, con
       at = std::min(at, swept.distance[v]);
     }
   }
-  std::vector<VertexId> to(assembly.mesh.positions.size(), kNone);
-  for (VertexId v = 0; v < surface.positions.size(); ++v) to[v] = v;
-  result.mesh.positions = surface.positions;
-  for (std::size_t t = 0; t < assembly.mesh.triangles.size(); ++t) {
-    Triangle out{};
-    for (int k = 0; k < 3; ++k) {
-      VertexId& id = to[assembly.mesh.triangles[t][k]];
-      if (id == kNone) {
-        id = static_cast<VertexId>(result.mesh.positions.size());
-        result.mesh.positions.push_back(assembly.mesh.positions[assembly.mesh.triangles[t][k]]);
-      }
-      out[k] = id;
-    }
-    result.mesh.triangles.push_back(out);
-    result.region.push_back(assembly.region[t]);
-  }
+  result.mesh = std::move(assembly.mesh);
+  result.region = std::move(assembly.region);
+  dropUnused(result.mesh, surface.positions.size());
   return result;
+}
+
+// What is held for the surface and for its contour, at most; of a lean one that is the limit.
+std::size_t predictedBytes(const ContourTask& task, const TriangleMesh& surface, const RunContext& context) {
+  const std::size_t most = heldBytes(surface) + wholeBytes(task.crossings);
+  return task.working.isLean ? std::min(most, context.memoryLimit()) : most;
 }
 
 }  // namespace
@@ -170,19 +180,19 @@ std::optional<Reconstruction> complete(const TriangleMesh& surface, const Closes
   if (anyShell || swept.shellProved) separateFans(swept, keep);
   const exact::BoxTree shell(swept.mesh.positions, swept.mesh.triangles, threads, isShell);
   const double mostOpen = std::max(openArea(swept, keep), kManyBesideSweep * width * width);
-  Attempt attempt(surface, tree, swept, options, width, context, threads);
+  Attempt attempt(surface, tree, swept, options, width, task.working, context, threads);
   int refinements = 0, yields = 0;
   std::vector<std::uint8_t> yielded(keep.size(), 0);
   for (std::size_t round = 0;; ++round) {
     const std::vector<TriangleId> meeting = attempt.run(keep, watch);
     if (meeting.empty()) {
-      Reconstruction result = finish(attempt.assembly(), surface, swept, keep,
+      Reconstruction result = finish(attempt.takeAssembly(), surface, swept, keep,
                                      depths(surface, tree, options.thickness, context, threads));
       result.rounds = round;
       result.cell = width;
       result.cells = attempt.field().cells();
-      result.nodes = attempt.field().size();
-      result.predicted = fieldBytes(task.area, width);
+      result.nodes = attempt.field().nodes();
+      result.predicted = predictedBytes(task, surface, context);
       return result;
     }
     const double work = static_cast<double>(round + 1) * task.area / (width * width);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "reconstruct/reconstruct.h"
+#include "reconstruct/working_set.h"
 
 namespace thicken {
 
@@ -13,6 +14,8 @@ struct ContourTask {
   std::vector<std::uint8_t> keep;  ///< per triangle of the sweep: part of the carrier
   double area = 0;                 ///< of the rest, mm²
   double width = 0;                ///< of the cells, mm
+  std::size_t crossings = 0;       ///< that it makes at most
+  WorkingSet working;              ///< for so many
   bool mayKeepShell = false;       ///< whether the carrier may be given more of the sweep's shell
 };
 

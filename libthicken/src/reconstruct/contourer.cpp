@@ -7,6 +7,7 @@
 
 #include "measure/stopwatch.h"
 #include "mesh/bounds.h"
+#include "mesh/freed_memory.h"
 #include "parallel_for.h"
 #include "thicken/error.h"
 
@@ -57,9 +58,14 @@ std::vector<GridIndex> rimCells(const std::vector<RimWay>& ways) {
 
 }  // namespace
 
-Contourer::Contourer(const TriangleMesh& surface, double thickness, double width, const RunContext& context,
-                     int threads)
-    : surface_(surface), thickness_(thickness), width_(width), context_(context), threads_(threads) {}
+Contourer::Contourer(const TriangleMesh& surface, double thickness, double width, const WorkingSet& working,
+                     const RunContext& context, int threads)
+    : surface_(surface),
+      thickness_(thickness),
+      width_(width),
+      working_(working),
+      context_(context),
+      threads_(threads) {}
 
 Contour Contourer::contour(const Carrier& carrier, const Membership& membership, const Seeds& seeds,
                            Stopwatch& watch) {
@@ -79,7 +85,7 @@ Contour Contourer::contour(const Carrier& carrier, const Membership& membership,
 void Contourer::startGrid() {
   grid_ = gridFor(surface_, thickness_, width_, ++shifts_);
   onSurface_.emplace(grid_, surface_.positions, surface_.triangles, threads_);
-  field_.emplace(grid_);
+  field_.emplace(grid_, working_.nodes);
   beyondSurface_.clear();
   covered_.assign(surface_.triangles.size(), 0);
   changed_.reset();
@@ -98,12 +104,15 @@ Contour Contourer::attempt(const Carrier& carrier, const Membership& membership,
   for (std::size_t t = 0; t < beyond.size(); ++t)
     for (int k = 0; k < 3; ++k) corners[t][k] = carrier.mesh.positions[beyond[t][k]];
   forgetChanges(std::move(corners), carrier.covered);
-  made.crossings =
-      followContour(grid_, rimCells(made.ways), seeds, crossed, membership, *field_, context_, threads_);
+  const auto placing = [&](const EdgePart& part) {
+    const Crossing* old = recalled(part);
+    return old != nullptr ? *old : placed(part, grid_, *field_, membership);
+  };
+  made.crossings = followContour(grid_, rimCells(made.ways), seeds, crossed, membership, *field_, placing,
+                                 context_, threads_);
+  if (working_.isLean) returnFreedMemory();
   watch.lap("field");
-  recall(made.crossings);
-  placeCrossings(made.crossings, grid_, *field_, membership, context_, threads_);
-  made.dual = dualSurface(made.crossings, made.ways, grid_, carrier.mesh.positions, threads_);
+  made.dual = dualSurface(made.crossings, made.ways, carrier.mesh.positions, threads_);
   return made;
 }
 
@@ -130,18 +139,17 @@ void Contourer::forgetChanges(std::vector<Corners> beyondSurface, std::span<cons
   field_->forget(*changed_, marked, context_, threads_);
 }
 
-// Takes over where crossings lie that the changes are too far from to have moved.
-void Contourer::recall(std::vector<Crossing>& crossings) const {
+// Where a part was crossed the last time, if the changes are too far from there to have moved it.
+const Crossing* Contourer::recalled(const EdgePart& part) const {
   constexpr double kSure = 1.01;
-  parallelFor(crossings.size(), threads_, context_, 256, [&](std::size_t i) {
-    Crossing& c = crossings[i];
-    const auto old = std::lower_bound(last_.begin(), last_.end(), c, inOrder);
-    if (old == last_.end() || old->edge != c.edge || old->from != c.from || old->to != c.to ||
-        old->jump != c.jump)
-      return;
-    if (changed_ && changed_->closest(old->at, kSure * thickness_)) return;
-    c = *old;
-  });
+  const int axis = static_cast<int>(part.edge & 3);
+  auto old = std::lower_bound(last_.begin(), last_.end(), part.edge,
+                              [](const Crossing& c, std::uint64_t edge) { return c.edge < edge; });
+  while (old != last_.end() && old->edge == part.edge && old->at[axis] < part.from) ++old;
+  if (old == last_.end() || old->edge != part.edge || old->at[axis] > part.to || old->jump != part.jump ||
+      (changed_ && changed_->closest(old->at, kSure * thickness_)))
+    return nullptr;
+  return &*old;
 }
 
 }  // namespace thicken

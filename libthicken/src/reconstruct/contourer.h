@@ -13,6 +13,7 @@
 #include "contour/follow.h"
 #include "field/node_field.h"
 #include "reconstruct/carrier.h"
+#include "reconstruct/working_set.h"
 
 namespace thicken {
 
@@ -26,9 +27,9 @@ struct Contour {
 
 class Contourer {
  public:
-  /// `tree` is the surface's; both must outlive the contourer.
-  Contourer(const TriangleMesh& surface, double thickness, double width, const RunContext& context,
-            int threads);
+  /// `surface` must outlive the contourer.
+  Contourer(const TriangleMesh& surface, double thickness, double width, const WorkingSet& working,
+            const RunContext& context, int threads);
 
   /// The contour of what lies in H and is not closed off by `carrier`, whose first triangles are those of
   /// the surface. `seeds` are for parts of it that hang together with no rim.
@@ -38,8 +39,8 @@ class Contourer {
   /// Keeps where the crossings of the last contour lie, for the next one.
   void remember(std::vector<Crossing> crossings);
 
-  /// Of the last contour.
   [[nodiscard]] const UniformGrid& grid() const { return grid_; }
+  /// Of the last contour; a lean working set leaves no nodes in it.
   [[nodiscard]] const NodeField& field() const { return *field_; }
 
  private:
@@ -49,10 +50,11 @@ class Contourer {
   [[nodiscard]] Contour attempt(const Carrier& carrier, const Membership& membership, const Seeds& seeds,
                                 Stopwatch& watch);
   void forgetChanges(std::vector<Corners> beyondSurface, std::span<const std::uint8_t> covered);
-  void recall(std::vector<Crossing>& crossings) const;
+  [[nodiscard]] const Crossing* recalled(const EdgePart& part) const;
 
   const TriangleMesh& surface_;
   double thickness_, width_;
+  WorkingSet working_;
   const RunContext& context_;
   int threads_;
   int shifts_ = -1;

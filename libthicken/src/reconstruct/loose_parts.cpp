@@ -62,8 +62,8 @@ void dropMisplaced(Assembly& assembly, int threads) {
     if (assembly.region[t] == Region::kOriginal) hangs[parts.ofTriangle[t]] = 1;
   if (allOf(hangs)) return;
   const HalfEdges edges(mesh.positions.size(), mesh.triangles, {}, threads);
-  const exact::BoxTree tree(mesh.positions, mesh.triangles, threads);
   const std::vector<VertexId> lowest = lowestVertices(mesh, parts);
+  const exact::BoxTree tree(mesh.positions, mesh.triangles, threads, trianglesBelow(mesh, lowest, threads));
   for (std::uint32_t part = 0; part < parts.count; ++part)
     drop[part] = !hangs[part] && facesOutward(mesh, edges, lowest[part]) ==
                                      insideOddNumber(mesh, tree, parts, lowest[part], part);

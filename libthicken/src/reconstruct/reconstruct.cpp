@@ -20,10 +20,16 @@ Reconstruction wholeContour(const TriangleMesh& surface, const ClosestPointTree&
                             const std::function<const SweepResult&()>& swept, double area, double width,
                             const Options& options, const RunContext& context, int threads,
                             Stopwatch& watch) {
-  requireRoomForField(surface, area, options.thickness, width, context);
+  const std::size_t crossings = mostShellCrossings(surface, options.thickness, width, threads);
+  const WorkingSet working = requireRoomForField(surface, crossings, options.thickness, width, context);
   const auto below = [&](const SweepResult& walls) {
     watch.lap("sweep");
-    ContourTask task{std::vector<std::uint8_t>(walls.mesh.triangles.size()), area, width, walls.shellProved};
+    ContourTask task{std::vector<std::uint8_t>(walls.mesh.triangles.size()),
+                     area,
+                     width,
+                     crossings,
+                     working,
+                     walls.shellProved};
     for (std::size_t t = 0; t < task.keep.size(); ++t) task.keep[t] = walls.region[t] != Region::kShell;
     return complete(surface, tree, walls, std::move(task), options, context, threads, watch);
   };
@@ -53,11 +59,19 @@ std::optional<Reconstruction> deepen(const TriangleMesh& surface, const ClosestP
   constexpr double kCoarsest = 1.0 / 3;  // of r
   ShellPlan plan = planShell(surface, swept, tree, options, context, threads);
   if (plan.keepsAll()) return std::nullopt;
-  const double r = options.thickness, area = areaOf(surface), width = cellWidth(surface, area, options);
-  if (width >= kCoarsest * r || !hasRoomForField(area, width, context)) {
-    requireRoomForField(surface, plan.area, r, plan.width, context);
-    return complete(surface, tree, swept, {std::move(plan.keep), plan.area, plan.width, true}, options,
-                    context, threads, watch);
+  const double r = options.thickness, area = areaOf(surface);
+  double width = cellWidth(surface, area, options);
+  width = widthWithRoom(surface, mostShellCrossings(surface, r, width, threads), width, options, context);
+  if (width >= kCoarsest * r ||
+      !hasRoomForField(surface, mostShellCrossings(surface, r, width, threads), context)) {
+    const double own = plan.width;
+    plan.width = widthWithRoom(surface, mostCrossings(plan.area, own), own, options, context);
+    if (!(plan.width < r / 2)) plan.width = own;  // which is refused
+    const std::size_t crossings = mostCrossings(plan.area, plan.width);
+    const WorkingSet working = requireRoomForField(surface, crossings, r, plan.width, context);
+    return complete(surface, tree, swept,
+                    {std::move(plan.keep), plan.area, plan.width, crossings, working, true}, options, context,
+                    threads, watch);
   }
   const auto asMade = [&]() -> const SweepResult& { return swept; };
   return wholeContour(surface, tree, asMade, area, width, options, context, threads, watch);

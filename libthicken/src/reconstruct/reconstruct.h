@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "reconstruct/working_set.h"
 #include "sweep/sweep.h"
 #include "thicken/closest_point.h"
 #include "thicken/options.h"
@@ -26,7 +27,7 @@ struct Reconstruction {
   double cell = 0;             ///< width, mm
   std::size_t cells = 0;       ///< that the contour was followed through, in every attempt
   std::size_t nodes = 0;       ///< that the field is known at
-  std::size_t predicted = 0;   ///< bytes for the field and its contour, beyond the sweep's
+  std::size_t predicted = 0;   ///< bytes, with what is held for the surface
 };
 
 /// Cells that widths are chosen for, at most, where none is given: for the whole shell, and beside a sweep,
@@ -39,16 +40,30 @@ inline constexpr double kManyCells = 6e5, kManyBesideSweep = 2.5e5;
 [[nodiscard]] double cellWidth(const TriangleMesh& surface, double area, const Options& options,
                                double mostCells = kManyCells);
 
-/// Bytes that the field and its contour take at their peak, beyond what the sweep takes.
-[[nodiscard]] std::size_t fieldBytes(double area, double width);
+/// Crossings that a contour of `area` mm² makes with cells of `width` mm, at most: more than most do.
+[[nodiscard]] std::size_t mostCrossings(double area, double width);
 
-/// Whether that is within the memory limit.
-[[nodiscard]] bool hasRoomForField(double area, double width, const RunContext& context);
+/// The same for the whole shell at `r` mm below `surface`.
+[[nodiscard]] std::size_t mostShellCrossings(const TriangleMesh& surface, double r, double width,
+                                             int threads);
 
-/// Throws where cells of `width` are too many for the grid's keys or, before any of it is taken, too many
-/// for the memory limit, with the width that would fit.
-void requireRoomForField(const TriangleMesh& surface, double area, double r, double width,
-                         const RunContext& context);
+/// Bytes that are held for `surface` while its field and contour are made: itself, its trees, its walls.
+[[nodiscard]] std::size_t heldBytes(const TriangleMesh& surface);
+
+/// Whether there is room for so many crossings beside that within the memory limit.
+[[nodiscard]] bool hasRoomForField(const TriangleMesh& surface, std::size_t crossings,
+                                   const RunContext& context);
+
+/// `width`, with which a contour makes so many crossings, or the least one that there is room for where that
+/// is wider and `options` do not ask for a width; infinite where there is no room for any.
+[[nodiscard]] double widthWithRoom(const TriangleMesh& surface, std::size_t crossings, double width,
+                                   const Options& options, const RunContext& context);
+
+/// What the contour may hold. Throws where cells of `width` are too many for the grid's keys or, before any
+/// of it is taken, too many for the memory limit even where as little is held at a time as can be, with the
+/// width and the limit that would fit.
+[[nodiscard]] WorkingSet requireRoomForField(const TriangleMesh& surface, std::size_t crossings, double r,
+                                             double width, const RunContext& context);
 
 /// Reconstructs on the negative side of `surface` (valid, welded; `tree` is its tree). Throws kNoSolid
 /// with the place, kMemoryLimit, kCancelled. Stages are added to `watch`.

@@ -31,11 +31,12 @@ std::uint64_t hashOf(const TriangleMesh& mesh, const Triangle& t) {
 class Settler {
  public:
   Settler(Assembly& assembly, std::span<const Vec3> target, std::span<const Vec3> up, double step,
-          const ProvedTriangles& proved, const RunContext& context, int threads)
+          const ProvedTriangles& proved, std::size_t most, const RunContext& context, int threads)
       : a_(assembly),
         target_(target),
         up_(up),
         step_(step),
+        most_(most),
         lifts_(assembly.carrierVertices, 0),
         context_(context),
         threads_(threads),
@@ -51,8 +52,8 @@ class Settler {
   }
 
   Ids run() {
-    exact::BoxTree tree(a_.mesh.positions, a_.mesh.triangles, threads_);
-    pairs_ = tree.meetingPairs(a_.mesh.positions, a_.mesh.triangles, clear_, context_, threads_);
+    exact::PairSearch search(a_.mesh, most_, threads_);
+    pairs_ = search.all(clear_, context_, threads_);
     findFlat();
     for (int round = 0; round < kBackwards + kRelaxations && !done(); ++round) {
       context_.throwIfCancelled();
@@ -65,7 +66,7 @@ class Settler {
       if (moved.empty())
         moved = relax(involved(std::max(relaxation, 0) % 4 / 2, relaxation >= kContourAlone));
       if (moved.empty()) break;
-      retest(tree, moved);
+      retest(search, moved);
     }
     return meeting();
   }
@@ -174,21 +175,19 @@ class Settler {
     return ids;
   }
 
-  void retest(exact::BoxTree& tree, const std::vector<VertexId>& moved) {
+  void retest(exact::PairSearch& search, const std::vector<VertexId>& moved) {
     Ids triangles;
     for (const VertexId v : moved)
       for (const TriangleId t : around_.of(v)) triangles.push_back(t);
     sortUnique(triangles);
     for (const TriangleId t : triangles) clear_[t] = 0;
-    tree.refit(a_.mesh.positions, a_.mesh.triangles, triangles);
     const auto hasMoved = [&](TriangleId t) {
       return std::binary_search(triangles.begin(), triangles.end(), t);
     };
     std::erase_if(pairs_,
                   [&](const exact::TrianglePair& p) { return hasMoved(p.first) || hasMoved(p.second); });
     std::erase_if(flat_, hasMoved);
-    const auto now =
-        tree.meetingPairsWith(triangles, a_.mesh.positions, a_.mesh.triangles, clear_, context_, threads_);
+    const auto now = search.withMoved(triangles, clear_, context_, threads_);
     pairs_.insert(pairs_.end(), now.begin(), now.end());
     for (const TriangleId t : triangles)
       if (isFlat(t)) flat_.push_back(t);
@@ -197,6 +196,7 @@ class Settler {
   Assembly& a_;
   std::span<const Vec3> target_, up_;
   double step_;
+  std::size_t most_;
   std::vector<std::uint8_t> lifts_;  ///< per vertex of the carrier
   const RunContext& context_;
   int threads_;
@@ -235,9 +235,9 @@ void ProvedTriangles::replace(const TriangleMesh& mesh, std::span<const Triangle
 }
 
 std::vector<TriangleId> settle(Assembly& assembly, std::span<const Vec3> target, std::span<const Vec3> up,
-                               double step, const ProvedTriangles& proved, const RunContext& context,
-                               int threads) {
-  return Settler(assembly, target, up, step, proved, context, threads).run();
+                               double step, const ProvedTriangles& proved, std::size_t most,
+                               const RunContext& context, int threads) {
+  return Settler(assembly, target, up, step, proved, most, context, threads).run();
 }
 
 }  // namespace thicken

@@ -3,7 +3,7 @@
 // Moves the contour's vertices to their targets as far as exact tests of all pairs of triangles allow.
 #pragma once
 
-#include "exact/box_tree.h"
+#include "exact/pair_search.h"
 #include "reconstruct/assembly.h"
 
 namespace thicken {
@@ -23,10 +23,10 @@ class ProvedTriangles {
 /// Places the contour's vertices at `target` (floats), back towards where they started where triangles
 /// meet, draws the ends of walls that are in the way back by `step` mm along `up` (Carrier), and evens out
 /// what still meets. Returns the triangles that meet in the end, ascending; `proved` are not tested against
-/// each other unless they move.
+/// each other unless they move. `most`: triangles that are searched for meetings at a time (PairSearch).
 [[nodiscard]] std::vector<TriangleId> settle(Assembly& assembly, std::span<const Vec3> target,
                                              std::span<const Vec3> up, double step,
-                                             const ProvedTriangles& proved, const RunContext& context,
-                                             int threads);
+                                             const ProvedTriangles& proved, std::size_t most,
+                                             const RunContext& context, int threads);
 
 }  // namespace thicken

@@ -27,20 +27,28 @@ class Shaper {
         threads_(threads),
         at_(assembly.mesh.positions.begin() + static_cast<std::ptrdiff_t>(assembly.carrierVertices),
             assembly.mesh.positions.end()) {
-    std::vector<std::uint8_t> onWall(dual.vertexCount, 0);
+    std::vector<std::uint32_t> number(dual.vertexCount, kNone);  // among the wall's vertices
     for (std::uint32_t c = 0; c < crossings.size(); ++c) {
       if (crossings[c].beyond != Standing::kRim) continue;
-      wall_.push_back(c);
-      for (const VertexId v : dual.faces[c]) onWall[v] = 1;
+      wall_.push_back({c, static_cast<std::uint32_t>(wallCorners_.size())});
+      for (const VertexId v : dual.faces[c]) {
+        if (number[v] == kNone) {
+          number[v] = static_cast<std::uint32_t>(wallVertices_.size());
+          wallVertices_.push_back(v);
+        }
+        wallCorners_.push_back(number[v]);
+      }
     }
-    for (VertexId v = 0; v < dual.vertexCount; ++v) (onWall[v] ? wallVertices_ : shellVertices_).push_back(v);
+    onWall_.resize(dual.vertexCount);
+    for (VertexId v = 0; v < dual.vertexCount; ++v) onWall_[v] = number[v] != kNone;
   }
 
   // The shell's normals do not change, so that all rounds of a vertex away from the wall are one step.
   void run(int rounds) {
     const double left = std::pow(1 - kAlpha, rounds);
-    parallelFor(shellVertices_.size(), threads_, context_, 512, [&](std::size_t i) {
-      const VertexId v = shellVertices_[i];
+    parallelFor(dual_.vertexCount, threads_, context_, 512, [&](std::size_t i) {
+      const auto v = static_cast<VertexId>(i);
+      if (onWall_[v]) return;
       const Vec3 goal = optimum(v);
       at_[v] = goal + left * (at_[v] - goal);
     });
@@ -90,22 +98,29 @@ class Shaper {
 
   // The wall has no normal of its own (q − c lies in it): that of its faces, smoothed.
   void smoothWallNormals() {
-    std::vector<Vec3>& sum = normalSum_;
-    sum.resize(dual_.vertexCount);
-    for (const VertexId v : wallVertices_) sum[v] = Vec3::Zero();
-    for (const std::uint32_t c : wall_) {
-      const auto& f = dual_.faces[c];
+    normalSum_.assign(wallVertices_.size(), Vec3::Zero());
+    for (const WallFace& face : wall_) {
+      const auto& f = dual_.faces[face.crossing];
       Vec3 n = Vec3::Zero();
       for (std::size_t k = 1; k + 1 < f.size(); ++k)
         n += (at_[f[k]] - at_[f[0]]).cross(at_[f[k + 1]] - at_[f[0]]);
       n.stableNormalize();
-      for (const VertexId v : f) sum[v] += n;
+      for (const std::uint32_t k : cornersOf(face)) normalSum_[k] += n;
     }
-    for (const std::uint32_t c : wall_) {
+    for (const WallFace& face : wall_) {
       Vec3 n = Vec3::Zero();
-      for (const VertexId v : dual_.faces[c]) n += sum[v];
-      crossings_[c].normal = n.stableNormalized();
+      for (const std::uint32_t k : cornersOf(face)) n += normalSum_[k];
+      crossings_[face.crossing].normal = n.stableNormalized();
     }
+  }
+
+  struct WallFace {
+    std::uint32_t crossing;
+    std::uint32_t first;  ///< of its corners
+  };
+  // As numbers among the wall's vertices, in the face's order.
+  [[nodiscard]] std::span<const std::uint32_t> cornersOf(const WallFace& face) const {
+    return std::span(wallCorners_).subspan(face.first, dual_.faces[face.crossing].size());
   }
 
   const DualSurface& dual_;
@@ -114,9 +129,11 @@ class Shaper {
   const RunContext& context_;
   int threads_;
   std::vector<Vec3> at_;
-  std::vector<std::uint32_t> wall_;  ///< crossings
-  std::vector<VertexId> wallVertices_, shellVertices_;
-  std::vector<Vec3> normalSum_;
+  std::vector<std::uint8_t> onWall_;  ///< per vertex
+  std::vector<WallFace> wall_;
+  std::vector<std::uint32_t> wallCorners_;  ///< of the wall's faces
+  std::vector<VertexId> wallVertices_;
+  std::vector<Vec3> normalSum_;  ///< per vertex of the wall
 };
 
 }  // namespace
