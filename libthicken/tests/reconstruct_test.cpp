@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "plain_shapes.h"
+#include "reconstruct/best_width.h"
 #include "reconstruct/diagonals.h"
 #include "reconstruct/strip_region.h"
 #include "reconstruct/working_set.h"
@@ -214,6 +215,29 @@ TEST(Auto, TakesWiderCellsWhereTheLimitAsksForThem) {
   const Solid lean = thicken(valleys(), o, context);
   EXPECT_GT(lean.report.cell, whole.report.cell);
   EXPECT_LE(lean.report.predictedMemory, context.memoryLimit());
+}
+
+// The width that leaves the least to the sweep, of those that are tried when `left` is what each leaves.
+double bestWidth(const std::vector<double>& left, double least) {
+  std::size_t made = 0;
+  const Reconstruction best = bestOfWidths(
+      1, [least](double width) { return width >= least; },
+      [&](double width) {
+        Reconstruction r;
+        r.cell = width;
+        r.leftShare = left.at(made++);
+        return r;
+      });
+  EXPECT_EQ(made, left.size());
+  return best.cell;
+}
+
+TEST(BestOfWidths, TakesFinerCellsOnlyWhereMuchIsLeftToTheSweep) {
+  EXPECT_EQ(bestWidth({0.05}, 0), 1);
+  EXPECT_DOUBLE_EQ(bestWidth({0.9, 0.02}, 0), 0.6);
+  EXPECT_DOUBLE_EQ(bestWidth({0.9, 0.3, 0.7, 0.8}, 0), 0.6);
+  EXPECT_EQ(bestWidth({0.9, 1}, 0.5), 1);
+  EXPECT_EQ(bestWidth({0.9}, 0.7), 1);
 }
 
 TEST(Reconstruct, NamesTheWidthThatFitsTheMemory) {

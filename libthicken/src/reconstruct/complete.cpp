@@ -179,7 +179,8 @@ std::optional<Reconstruction> complete(const TriangleMesh& surface, const Closes
   // Walls that were proved alone have none to separate.
   if (anyShell || swept.shellProved) separateFans(swept, keep);
   const exact::BoxTree shell(swept.mesh.positions, swept.mesh.triangles, threads, isShell);
-  const double mostOpen = std::max(openArea(swept, keep), kManyBesideSweep * width * width);
+  const double wanted = openArea(swept, keep);
+  const double mostOpen = std::max(wanted, kManyBesideSweep * width * width);
   Attempt attempt(surface, tree, swept, options, width, task.working, context, threads);
   int refinements = 0, yields = 0;
   std::vector<std::uint8_t> yielded(keep.size(), 0);
@@ -193,6 +194,7 @@ std::optional<Reconstruction> complete(const TriangleMesh& surface, const Closes
       result.cells = attempt.field().cells();
       result.nodes = attempt.field().nodes();
       result.predicted = predictedBytes(task, surface, context);
+      if (wanted > 0) result.leftShare = 1 - openArea(swept, keep) / wanted;
       return result;
     }
     const double work = static_cast<double>(round + 1) * task.area / (width * width);

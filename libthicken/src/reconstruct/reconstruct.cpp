@@ -6,6 +6,7 @@
 
 #include "measure/measure.h"
 #include "measure/stopwatch.h"
+#include "reconstruct/best_width.h"
 #include "reconstruct/complete.h"
 #include "reconstruct/shell_plan.h"
 #include "sweep/sweep.h"
@@ -20,13 +21,13 @@ Reconstruction wholeContour(const TriangleMesh& surface, const ClosestPointTree&
                             const std::function<const SweepResult&()>& swept, double area, double width,
                             const Options& options, const RunContext& context, int threads,
                             Stopwatch& watch) {
-  const std::size_t crossings = mostShellCrossings(surface, options.thickness, width, threads);
-  const WorkingSet working = requireRoomForField(surface, crossings, options.thickness, width, context);
-  const auto below = [&](const SweepResult& walls) {
+  const auto below = [&](const SweepResult& walls, double cell) {
+    const std::size_t crossings = mostShellCrossings(surface, options.thickness, cell, threads);
+    const WorkingSet working = requireRoomForField(surface, crossings, options.thickness, cell, context);
     watch.lap("sweep");
     ContourTask task{std::vector<std::uint8_t>(walls.mesh.triangles.size()),
                      area,
-                     width,
+                     cell,
                      crossings,
                      working,
                      walls.shellProved};
@@ -35,8 +36,16 @@ Reconstruction wholeContour(const TriangleMesh& surface, const ClosestPointTree&
   };
   // Most surfaces need no more of the sweep than its walls.
   if (const auto walls = sweepWalls(surface, tree, options.thickness, context, threads))
-    if (auto made = below(*walls)) return *std::move(made);
-  return *below(swept());
+    if (auto made = below(*walls, width)) return *std::move(made);
+  const SweepResult& all = swept();
+  const auto isAllowed = [&](double cell) {
+    constexpr double kMostCells = 1e5;
+    if (options.cell || options.resolution || area > kMostCells * cell * cell) return false;
+    const std::size_t crossings = mostShellCrossings(surface, options.thickness, cell, threads);
+    const std::size_t limit = context.memoryLimit();
+    return limit == 0 || heldBytes(surface) + wholeBytes(crossings) <= limit;
+  };
+  return bestOfWidths(width, isAllowed, [&](double cell) { return *below(all, cell); });
 }
 
 }  // namespace

@@ -28,6 +28,7 @@ struct Reconstruction {
   std::size_t cells = 0;       ///< that the contour was followed through, in every attempt
   std::size_t nodes = 0;       ///< that the field is known at
   std::size_t predicted = 0;   ///< bytes, with what is held for the surface
+  double leftShare = 0;        ///< of the area that was to be contoured, that was left to the sweep
 };
 
 /// Cells that widths are chosen for, at most, where none is given: for the whole shell, and beside a sweep,
