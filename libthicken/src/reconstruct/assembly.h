@@ -19,6 +19,9 @@ struct Assembly {
   static constexpr std::uint32_t kStrip = 0xffffffffu;
   std::vector<std::uint32_t> crossing;  ///< per triangle of the contour: its crossing, or kStrip
   std::vector<std::uint32_t> middleOf;  ///< per middle vertex: its crossing
+  [[nodiscard]] bool isStrip(TriangleId t) const {
+    return t >= carrierTriangles && crossing[t - carrierTriangles] == kStrip;
+  }
 };
 
 [[nodiscard]] Assembly assemble(const Carrier& carrier, const DualSurface& dual,

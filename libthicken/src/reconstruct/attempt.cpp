@@ -91,16 +91,8 @@ bool Attempt::liftWalls(std::span<const TriangleId> meeting) {
 // Triangles of the contour on edges that more than two share: where the rim circles around an edge of the
 // grid, strips on either side of a vertex may use the same edge.
 std::vector<TriangleId> Attempt::crowdedTriangles() const {
-  const std::vector<Triangle>& triangles = assembly_.mesh.triangles;
-  std::vector<std::uint8_t> onStrip(assembly_.mesh.positions.size(), 0), beside(triangles.size(), 0);
-  for (std::size_t t = assembly_.carrierTriangles; t < triangles.size(); ++t)
-    if (assembly_.crossing[t - assembly_.carrierTriangles] == Assembly::kStrip)
-      for (const VertexId v : triangles[t]) onStrip[v] = 1;
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    beside[t] = onStrip[triangles[t][0]] + onStrip[triangles[t][1]] + onStrip[triangles[t][2]] > 1;
-  const HalfEdges edges(assembly_.mesh.positions.size(), triangles, beside, threads_);
   std::vector<TriangleId> crowded;
-  edges.forEachEdge([&](VertexId, VertexId, auto forth, auto back) {
+  edgesAtStrip(assembly_, threads_).forEachEdge([&](VertexId, VertexId, auto forth, auto back) {
     if (forth.size() + back.size() <= 2) return;
     for (const auto& uses : {forth, back})
       for (const HalfEdge& use : uses)

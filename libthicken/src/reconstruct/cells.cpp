@@ -101,7 +101,7 @@ std::size_t mostCrossings(double area, double width) {
   return static_cast<std::size_t>(std::min(1e15, kCrossings * area / (width * width)));
 }
 
-std::size_t mostShellCrossings(const TriangleMesh& surface, double r, double width, int threads) {
+double shellShadows(const TriangleMesh& surface, double r, int threads) {
   // A triangle crosses as many lines of the grid as its shadows along the axes are large. The shell's is that
   // of S with its vertices moved along their normals, less what turns over, which other parts of S cut off.
   const auto normal = vertexNormals(surface.positions, surface.triangles,
@@ -116,8 +116,16 @@ std::size_t mostShellCrossings(const TriangleMesh& surface, double r, double wid
     const Vec3 area = (q[1] - q[0]).cross(q[2] - q[0]) / 2;
     if (area.dot((p[1] - p[0]).cross(p[2] - p[0])) > 0) shadows += area.cwiseAbs().sum();
   }
+  return shadows;
+}
+
+std::size_t mostShellCrossings(double shadows, double width) {
   constexpr double kMargin = 1.1;
   return static_cast<std::size_t>(std::min(1e15, kMargin * shadows / (width * width)));
+}
+
+std::size_t mostShellCrossings(const TriangleMesh& surface, double r, double width, int threads) {
+  return mostShellCrossings(shellShadows(surface, r, threads), width);
 }
 
 std::size_t heldBytes(const TriangleMesh& surface) {

@@ -16,48 +16,58 @@ namespace thicken {
 
 namespace {
 
+// The shell that is to be contoured, and the width of the cells for it, mm.
+struct WholeShell {
+  double area = 0, shadows = 0;  // mm²
+  double width = 0;
+};
+
 // The solid with no shell but the contour's.
 Reconstruction wholeContour(const TriangleMesh& surface, const ClosestPointTree& tree,
-                            const std::function<const SweepResult&()>& swept, double area, double width,
+                            const std::function<const SweepResult&()>& swept, const WholeShell& shell,
                             const Options& options, const RunContext& context, int threads,
                             Stopwatch& watch) {
-  const auto below = [&](const SweepResult& walls, double cell) {
-    const std::size_t crossings = mostShellCrossings(surface, options.thickness, cell, threads);
-    const WorkingSet working = requireRoomForField(surface, crossings, options.thickness, cell, context);
+  const auto below = [&](const SweepResult& walls, double width, const WorkingSet& working) {
     watch.lap("sweep");
     ContourTask task{std::vector<std::uint8_t>(walls.mesh.triangles.size()),
-                     area,
-                     cell,
-                     crossings,
+                     shell.area,
+                     width,
+                     mostShellCrossings(shell.shadows, width),
                      working,
                      walls.shellProved};
     for (std::size_t t = 0; t < task.keep.size(); ++t) task.keep[t] = walls.region[t] != Region::kShell;
     return complete(surface, tree, walls, std::move(task), options, context, threads, watch);
   };
+  const auto roomFor = [&](double width) {
+    return requireRoomForField(surface, mostShellCrossings(shell.shadows, width), options.thickness, width,
+                               context);
+  };
+  const WorkingSet working = roomFor(shell.width);
   // Most surfaces need no more of the sweep than its walls.
   if (const auto walls = sweepWalls(surface, tree, options.thickness, context, threads))
-    if (auto made = below(*walls, width)) return *std::move(made);
+    if (auto made = below(*walls, shell.width, working)) return *std::move(made);
   const SweepResult& all = swept();
-  const auto isAllowed = [&](double cell) {
+  const auto isAllowed = [&](double width) {
     constexpr double kMostCells = 1e5;
-    if (options.cell || options.resolution || area > kMostCells * cell * cell) return false;
-    const std::size_t crossings = mostShellCrossings(surface, options.thickness, cell, threads);
-    const std::size_t limit = context.memoryLimit();
-    return limit == 0 || heldBytes(surface) + wholeBytes(crossings) <= limit;
+    return !options.cell && !options.resolution && shell.area <= kMostCells * width * width &&
+           !workingSetFor(mostShellCrossings(shell.shadows, width), heldBytes(surface), context).isLean;
   };
-  return bestOfWidths(width, isAllowed, [&](double cell) { return *below(all, cell); });
+  return bestOfWidths(shell.width, isAllowed,
+                      [&](double width) { return *below(all, width, roomFor(width)); });
 }
 
 }  // namespace
 
 Reconstruction reconstruct(const TriangleMesh& surface, const ClosestPointTree& tree, const Options& options,
                            const RunContext& context, int threads, Stopwatch& watch) {
-  const double area = areaOf(surface), width = cellWidth(surface, area, options);
+  const double area = areaOf(surface);
+  const WholeShell shell{area, shellShadows(surface, options.thickness, threads),
+                         cellWidth(surface, area, options)};
   SweepResult swept;
   const auto sweepAll = [&]() -> const SweepResult& {
     return swept = sweep(surface, tree, options.thickness, Side::kNegative, context, threads, Polish::kNo);
   };
-  return wholeContour(surface, tree, sweepAll, area, width, options, context, threads, watch);
+  return wholeContour(surface, tree, sweepAll, shell, options, context, threads, watch);
 }
 
 std::optional<Reconstruction> deepen(const TriangleMesh& surface, const ClosestPointTree& tree,
@@ -69,10 +79,10 @@ std::optional<Reconstruction> deepen(const TriangleMesh& surface, const ClosestP
   ShellPlan plan = planShell(surface, swept, tree, options, context, threads);
   if (plan.keepsAll()) return std::nullopt;
   const double r = options.thickness, area = areaOf(surface);
-  double width = cellWidth(surface, area, options);
-  width = widthWithRoom(surface, mostShellCrossings(surface, r, width, threads), width, options, context);
-  if (width >= kCoarsest * r ||
-      !hasRoomForField(surface, mostShellCrossings(surface, r, width, threads), context)) {
+  WholeShell shell{area, shellShadows(surface, r, threads), cellWidth(surface, area, options)};
+  const auto crossingsOfAll = [&] { return mostShellCrossings(shell.shadows, shell.width); };
+  shell.width = widthWithRoom(surface, crossingsOfAll(), shell.width, options, context);
+  if (shell.width >= kCoarsest * r || !hasRoomForField(surface, crossingsOfAll(), context)) {
     const double own = plan.width;
     plan.width = widthWithRoom(surface, mostCrossings(plan.area, own), own, options, context);
     if (!(plan.width < r / 2)) plan.width = own;  // which is refused
@@ -83,7 +93,7 @@ std::optional<Reconstruction> deepen(const TriangleMesh& surface, const ClosestP
                     threads, watch);
   }
   const auto asMade = [&]() -> const SweepResult& { return swept; };
-  return wholeContour(surface, tree, asMade, area, width, options, context, threads, watch);
+  return wholeContour(surface, tree, asMade, shell, options, context, threads, watch);
 }
 
 }  // namespace thicken

@@ -44,6 +44,13 @@ inline constexpr double kManyCells = 6e5, kManyBesideSweep = 2.5e5;
 /// Crossings that a contour of `area` mm² makes with cells of `width` mm, at most: more than most do.
 [[nodiscard]] std::size_t mostCrossings(double area, double width);
 
+/// The shadows along the three axes of the shell at `r` mm below `surface`, mm²: with the width of its cells
+/// they tell how often a grid is crossed.
+[[nodiscard]] double shellShadows(const TriangleMesh& surface, double r, int threads);
+
+/// Crossings that the contour of a shell of such shadows makes with cells of `width` mm, at most.
+[[nodiscard]] std::size_t mostShellCrossings(double shadows, double width);
+
 /// The same for the whole shell at `r` mm below `surface`.
 [[nodiscard]] std::size_t mostShellCrossings(const TriangleMesh& surface, double r, double width,
                                              int threads);
