@@ -101,20 +101,22 @@ bool yield(const SweepResult& swept, const exact::BoxTree& shell, const Assembly
 }
 
 // How deep the solid is below each vertex: to where the field ends along the normal, or to the copy
-// that the carrier keeps.
+// that the carrier keeps. Where the rim is nearest it is the wall that ends there, if the way down to it is
+// about as long as the rim is far; a rim that is nearer is another part's, beyond the end of the field.
 std::vector<double> depths(const TriangleMesh& surface, const ClosestPointTree& tree, double r,
                            const RunContext& context, int threads) {
   const auto normal = vertexNormals(surface.positions, surface.triangles,
                                     faceNormals(surface.positions, surface.triangles, threads), threads);
   std::vector<double> depth(surface.positions.size(), r);
   constexpr int kSteps = 5;
+  constexpr double kOwnRim = 0.9;
   parallelFor(depth.size(), threads, context, 128, [&](std::size_t v) {
     double good = 0, bad = r;
     for (int i = 0; i < kSteps; ++i) {
       const double h = i == 0 ? 0.95 * r : (good + bad) / 2;
       const Vec3 p = surface.positions[v] - h * normal[v];
       const auto c = tree.closest(p);
-      const bool inside = c->onRim || insideThickened(p, *c, r);
+      const bool inside = c->onRim ? c->distance >= kOwnRim * h : insideThickened(p, *c, r);
       (inside ? good : bad) = h;
       if (i == 0 && inside) break;
     }
