@@ -137,7 +137,8 @@ std::string toJson(const Report& report) {
   json["input"] = surfaceFacts(report.input);
   json["repair"] = repairFacts(report.repair);
   json["parameters"] = parameters(report);
-  json["field"] = {{"cells", report.fieldCells}, {"nodes", report.fieldNodes}};
+  json["field"] = {{"cells", report.fieldCells}, {"nodes", report.fieldNodes}, {"finest_cell_mm", nullptr}};
+  if (report.finestCell > 0) json["field"]["finest_cell_mm"] = report.finestCell;
   json["seconds"] = stages(report.seconds);
   json["memory"] = {{"predicted_bytes", report.predictedMemory}, {"peak_bytes", report.peakMemory}};
   json["output"] = outputFacts(report);

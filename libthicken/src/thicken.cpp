@@ -156,12 +156,13 @@ Solid sweptSolid(SweepResult made, const SurfaceFacts& input, const Options& opt
 
 Solid reconstructedSolid(Reconstruction made, Method method, const SurfaceFacts& input,
                          const Options& options, int threads) {
-  const double cell = made.cell;
+  const double cell = made.cell, finest = made.finest;
   const std::size_t predicted = made.predicted, cells = made.cells, nodes = made.nodes;
   Solid solid = assemble(std::move(made), method, input, options, threads);
   solid.report.cell = cell;
   solid.report.fieldCells = cells;
   solid.report.fieldNodes = nodes;
+  solid.report.finestCell = finest;
   solid.report.predictedMemory = predicted;
   return solid;
 }

@@ -5,9 +5,10 @@
 
 #include <cmath>
 
+#include "analytic_surfaces.h"
 #include "plain_shapes.h"
-#include "reconstruct/best_width.h"
 #include "reconstruct/diagonals.h"
+#include "reconstruct/finer_parts.h"
 #include "reconstruct/strip_region.h"
 #include "reconstruct/working_set.h"
 #include "thicken/error.h"
@@ -217,27 +218,37 @@ TEST(Auto, TakesWiderCellsWhereTheLimitAsksForThem) {
   EXPECT_LE(lean.report.predictedMemory, context.memoryLimit());
 }
 
-// The width that leaves the least to the sweep, of those that are tried when `left` is what each leaves.
-double bestWidth(const std::vector<double>& left, double least) {
-  std::size_t made = 0;
-  const Reconstruction best = bestOfWidths(
-      1, [least](double width) { return width >= least; },
-      [&](double width) {
-        Reconstruction r;
-        r.cell = width;
-        r.leftShare = left.at(made++);
-        return r;
-      });
-  EXPECT_EQ(made, left.size());
-  return best.cell;
+// Pleats whose sheets come together at an angle that no cell can tell apart near the fold.
+TriangleMesh pleats() {
+  return shapes::parametric(24, 6, [](double u, double v) {
+    const double x = 6 * u;
+    return Vec3(0.4 * x, 3 * v, 3 * std::abs(x - 2 * std::round(x / 2)));
+  });
 }
 
-TEST(BestOfWidths, TakesFinerCellsOnlyWhereMuchIsLeftToTheSweep) {
-  EXPECT_EQ(bestWidth({0.05}, 0), 1);
-  EXPECT_DOUBLE_EQ(bestWidth({0.9, 0.02}, 0), 0.6);
-  EXPECT_DOUBLE_EQ(bestWidth({0.9, 0.3, 0.7, 0.8}, 0), 0.6);
-  EXPECT_EQ(bestWidth({0.9, 1}, 0.5), 1);
-  EXPECT_EQ(bestWidth({0.9}, 0.7), 1);
+TEST(Reconstruct, TakesFinerCellsOnlyWhereSheetsAreTooClose) {
+  Options o;
+  o.thickness = 1;
+  const Solid solid = thicken(pleats(), o);
+  EXPECT_LT(solid.report.finestCell, 0.6 * solid.report.cell);
+  o.cell = solid.report.finestCell;
+  const Solid fine = thicken(pleats(), o);
+  EXPECT_LT(solid.report.triangles, fine.report.triangles / 2);
+  EXPECT_NEAR(solid.report.volume, fine.report.volume, 0.002 * fine.report.volume);
+}
+
+TriangleMesh row(VertexId count) {
+  return shapes::parametric(count, 1, [=](double u, double v) { return Vec3(count * u, v, 0); });
+}
+
+TEST(FinerParts, AreSeparatedFromTheRestAFewTrianglesAway) {
+  const TriangleMesh mesh = row(10);
+  std::vector<Region> region(mesh.triangles.size(), Region::kShell);
+  std::vector<std::uint8_t> left(region.size(), 0);
+  region[11] = Region::kWall;
+  left[8] = left[9] = 1;
+  const auto keep = keptAroundLeft(mesh, region, left);
+  for (std::size_t t = 0; t < keep.size(); ++t) EXPECT_EQ(keep[t] == 0, t >= 4 && t < 14 && t != 11) << t;
 }
 
 TEST(Reconstruct, NamesTheWidthThatFitsTheMemory) {

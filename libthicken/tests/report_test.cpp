@@ -29,6 +29,7 @@ Report sampleReport() {
   report.threads = 3;
   report.fieldCells = 70;
   report.fieldNodes = 90;
+  report.finestCell = 0.25;
   report.seconds = {{"check", 0.5}, {"sweep", 1}, {"check", 0.25}};
   report.predictedMemory = 1000;
   report.triangles = 30;
@@ -92,6 +93,7 @@ TEST(Report, HoldsTheFactsUnderTheirNames) {
   EXPECT_TRUE(report["parameters"]["cell_mm"].is_null()) << "no field was computed";
   EXPECT_EQ(report["field"]["cells"], 70);
   EXPECT_EQ(report["field"]["nodes"], 90);
+  EXPECT_EQ(report["field"]["finest_cell_mm"], 0.25);
   EXPECT_EQ(report["output"]["volume_mm3"], 2500);
   EXPECT_EQ(report["output"]["volume_ml"], 2.5);
   EXPECT_EQ(report["output"]["original_triangles"], 12);

@@ -52,6 +52,7 @@ struct Report {
   Side side = Side::kNegative;
   Method method = Method::kAuto;               ///< the one that was used
   double cell = 0;                             ///< mm; 0 where no field was computed
+  double finestCell = 0;                       ///< mm; less than that where places took finer cells
   std::size_t fieldCells = 0, fieldNodes = 0;  ///< of the grid, that the field was needed at
   int threads = 0;
   std::vector<std::pair<std::string, double>> seconds;  ///< stage, seconds; in order

@@ -21,6 +21,7 @@ class Assembler {
       : dual_(dual), crossings_(crossings), ways_(ways), threads_(threads) {
     out_.mesh = carrier.mesh;
     out_.region = carrier.region;
+    out_.source = carrier.source;
     out_.firstDivided = carrier.firstDivided;
     out_.carrierVertices = carrier.mesh.positions.size();
     out_.carrierTriangles = carrier.mesh.triangles.size();

@@ -15,7 +15,8 @@ struct Assembly {
   std::size_t carrierTriangles = 0;  ///< its order, then one in the middle of each face that is fanned
   std::size_t dualVertices = 0;
   TriangleMesh mesh;
-  std::vector<Region> region;  ///< per triangle
+  std::vector<Region> region;      ///< per triangle
+  std::vector<TriangleId> source;  ///< per triangle of the carrier (Carrier)
   static constexpr std::uint32_t kStrip = 0xffffffffu;
   std::vector<std::uint32_t> crossing;  ///< per triangle of the contour: its crossing, or kStrip
   std::vector<std::uint32_t> middleOf;  ///< per middle vertex: its crossing

@@ -71,7 +71,12 @@ std::vector<TriangleId> Attempt::run(std::span<const std::uint8_t> keep, Stopwat
   if (meeting.empty()) {
     dropMisplaced(assembly_, threads_);
     labelStrip(assembly_, threads_);
-  } else if (!working_.isLean) {  // for the next attempt
+    watch.lap("shape");
+    return meeting;
+  }
+  carrier_.mesh.positions = std::move(carrier.mesh.positions);
+  carrier_.up = std::move(carrier.up);
+  if (!working_.isLean) {  // for the next attempt
     proved_.replace(assembly_.mesh, unsettled, threads_);
     contourer_.remember(std::move(contour.crossings));
   }

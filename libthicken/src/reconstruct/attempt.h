@@ -32,6 +32,8 @@ class Attempt {
   [[nodiscard]] const Assembly& assembly() const { return assembly_; }
   /// Takes it, when no more attempts are to follow.
   [[nodiscard]] Assembly takeAssembly() { return std::move(assembly_); }
+  /// The carrier as it was before its walls were drawn back with the contour; without triangles.
+  [[nodiscard]] const Carrier& carrier() const { return carrier_; }
   [[nodiscard]] const NodeField& field() const { return contourer_.field(); }
 
  private:
@@ -51,6 +53,7 @@ class Attempt {
   int threads_;
   ProvedTriangles proved_;
   Assembly assembly_;
+  Carrier carrier_;
 };
 
 }  // namespace thicken

@@ -97,6 +97,7 @@ class RimDivider {
     }
     carrier_.mesh.triangles.push_back(t);
     carrier_.region.push_back(carrier_.region[place_]);
+    carrier_.source.push_back(carrier_.source[place_]);
   }
 
   Carrier& carrier_;
@@ -119,20 +120,21 @@ void closeFans(const TriangleMesh& swept, std::vector<std::uint8_t>& keep) {
   }
 }
 
-void openFans(const TriangleMesh& swept, std::span<const Region> region, std::vector<std::uint8_t>& keep) {
+void openFans(const TriangleMesh& swept, std::span<const std::uint8_t> openable,
+              std::vector<std::uint8_t>& keep) {
   const auto around = vertexTriangles(swept.positions.size(), swept.triangles);
   for (bool shrunk = true; shrunk;) {
     shrunk = false;
     for (const VertexId v : pinchedVertices(swept, keep))
       for (const TriangleId t : around.of(v)) {
-        if (!keep[t] || region[t] != Region::kShell) continue;
+        if (!keep[t] || !openable[t]) continue;
         shrunk = true;
         keep[t] = 0;
       }
   }
 }
 
-void trimSpikes(const TriangleMesh& swept, std::span<const Region> region, double largest,
+void trimSpikes(const TriangleMesh& swept, std::span<const std::uint8_t> openable, double largest,
                 std::vector<std::uint8_t>& keep) {
   constexpr int kRounds = 3;
   constexpr double kSharp = 2;  // radians
@@ -146,7 +148,7 @@ void trimSpikes(const TriangleMesh& swept, std::span<const Region> region, doubl
       double angle = 0;
       bool anyKept = false, anyGone = false, isFree = true;
       for (const TriangleId t : around.of(v)) {
-        isFree &= region[t] == Region::kShell;
+        isFree &= openable[t] != 0;
         if (!keep[t]) {
           anyGone = true;
           continue;
@@ -172,8 +174,11 @@ Carrier makeCarrier(const SweepResult& swept, std::span<const Vec3> positions, s
   carrier.firstDivided = static_cast<VertexId>(positions.size());
   carrier.mesh.positions.assign(positions.begin(), positions.end());
   carrier.mesh.triangles = keptTriangles(swept.mesh, keep);
-  for (std::size_t t = 0; t < keep.size(); ++t)
-    if (keep[t]) carrier.region.push_back(swept.region[t]);
+  for (TriangleId t = 0; t < keep.size(); ++t) {
+    if (!keep[t]) continue;
+    carrier.region.push_back(swept.region[t]);
+    carrier.source.push_back(t);
+  }
   const Rim rim = rimOf(carrier.mesh.positions.size(), carrier.mesh.triangles, threads);
   std::vector<std::array<bool, 3>> onRim(carrier.mesh.triangles.size(), {false, false, false});
   for (const RimEdge& e : rim.edges)

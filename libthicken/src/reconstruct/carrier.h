@@ -19,6 +19,7 @@ struct Carrier {
   TriangleMesh mesh;           ///< S's vertices and triangles first
   VertexId firstDivided = 0;   ///< vertices from here on divide rim edges, rounded to float
   std::vector<Region> region;  ///< per triangle
+  std::vector<TriangleId> source;     ///< per triangle: of the sweep, that it is or is a part of
   std::vector<std::uint8_t> covered;  ///< per triangle of S: it has shell for it
   Rim rim;                     ///< its edges are no longer than asked, except those of S
   std::vector<Vec3> up;        ///< per vertex: from the end of a wall to where it hangs on S; else 0
@@ -28,13 +29,14 @@ struct Carrier {
 /// has two fans.
 void closeFans(const TriangleMesh& swept, std::vector<std::uint8_t>& keep);
 
-/// Takes shell triangles out of `keep` until no vertex has two fans because of them.
-void openFans(const TriangleMesh& swept, std::span<const Region> region, std::vector<std::uint8_t>& keep);
+/// Takes triangles that are `openable` out of `keep` until no vertex has two fans because of them.
+void openFans(const TriangleMesh& swept, std::span<const std::uint8_t> openable,
+              std::vector<std::uint8_t>& keep);
 
-/// Gives spikes of the kept shell over to the contour: triangles of at most `largest` mm² around a vertex of
-/// its rim where they fill a sharp corner. A corner within a cell may reach past the contour's vertex there,
-/// and the strip between the two would be folded.
-void trimSpikes(const TriangleMesh& swept, std::span<const Region> region, double largest,
+/// Gives spikes of what is `openable` over to the contour: triangles of at most `largest` mm² around a vertex
+/// of its rim where they fill a sharp corner. A corner within a cell may reach past the contour's vertex
+/// there, and the strip between the two would be folded.
+void trimSpikes(const TriangleMesh& swept, std::span<const std::uint8_t> openable, double largest,
                 std::vector<std::uint8_t>& keep);
 
 /// The carrier of the kept triangles, the sweep's vertices at `positions`, with `up` of each; rim edges

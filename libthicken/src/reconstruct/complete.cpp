@@ -15,6 +15,7 @@
 #include "parallel_for.h"
 #include "reconstruct/attempt.h"
 #include "reconstruct/carrier.h"
+#include "reconstruct/holes.h"
 #include "reconstruct/shell_plan.h"
 #include "thicken/error.h"
 
@@ -22,7 +23,7 @@ namespace thicken {
 
 namespace {
 
-constexpr int kMostRefinements = 16, kMostYields = 12;
+constexpr int kMostRefinements = 16, kMostYields = 12, kMostYieldsAtHoles = 3;
 // Cells of all attempts together, and attempts that are made in any case, before the whole sweep is taken.
 constexpr double kMostWork = 2.5e6;
 constexpr std::size_t kSomeAttempts = 4;
@@ -60,8 +61,9 @@ bool refine(const SweepResult& swept, const exact::BoxTree& shell, const Assembl
 }
 
 // Makes `keep` a surface without pinched vertices: by less shell where that is enough, else by more.
-void separateFans(const SweepResult& swept, std::vector<std::uint8_t>& keep) {
-  openFans(swept.mesh, swept.region, keep);
+void separateFans(const SweepResult& swept, std::span<const std::uint8_t> openable,
+                  std::vector<std::uint8_t>& keep) {
+  openFans(swept.mesh, openable, keep);
   closeFans(swept.mesh, keep);
 }
 
@@ -70,7 +72,8 @@ void separateFans(const SweepResult& swept, std::vector<std::uint8_t>& keep) {
 // cells, not at all, nor what would leave more than `mostOpen` mm² to the contour.
 bool yield(const SweepResult& swept, const exact::BoxTree& shell, const Assembly& assembly,
            std::span<const TriangleId> meeting, double reach, double width, double mostOpen,
-           std::vector<std::uint8_t>& yielded, std::vector<std::uint8_t>& keep) {
+           std::span<const std::uint8_t> openable, std::vector<std::uint8_t>& yielded,
+           std::vector<std::uint8_t>& keep) {
   const std::vector<std::uint8_t> before = keep;
   for (const TriangleId t : meeting)
     for (const TriangleId s : shellNear(shell, assembly.mesh, t, reach)) {
@@ -80,7 +83,7 @@ bool yield(const SweepResult& swept, const exact::BoxTree& shell, const Assembly
       keep[s] = 0;
     }
   if (keep == before) return false;
-  separateFans(swept, keep);
+  separateFans(swept, openable, keep);
   if (openArea(swept, keep) > mostOpen) keep = before;
   return keep != before;
 }
@@ -125,8 +128,8 @@ std::vector<double> depths(const TriangleMesh& surface, const ClosestPointTree& 
   return depth;
 }
 
-// The vertices that the triangles use, numbered as they come, those of S first.
-void dropUnused(TriangleMesh& mesh, std::size_t surfaceVertices) {
+// The vertices that the triangles use, numbered as they come, those of S first. `base` of each, if any.
+void dropUnused(TriangleMesh& mesh, std::vector<VertexId>& base, std::size_t surfaceVertices) {
   std::vector<VertexId> to(mesh.positions.size(), kNone);
   auto count = static_cast<VertexId>(surfaceVertices);
   std::iota(to.begin(), to.begin() + count, VertexId{0});
@@ -136,25 +139,48 @@ void dropUnused(TriangleMesh& mesh, std::size_t surfaceVertices) {
       v = to[v];
     }
   std::vector<Vec3> positions(count);
-  for (std::size_t v = 0; v < to.size(); ++v)
-    if (to[v] != kNone) positions[to[v]] = mesh.positions[v];
+  std::vector<VertexId> newBase(base.empty() ? 0 : count);
+  for (std::size_t v = 0; v < to.size(); ++v) {
+    if (to[v] == kNone) continue;
+    positions[to[v]] = mesh.positions[v];
+    if (!base.empty()) newBase[to[v]] = base[v];
+  }
   mesh.positions = std::move(positions);
+  base = std::move(newBase);
+}
+
+// Which of the assembly's triangles are of the sweep's shell where `left` says that this is for want of
+// better, and what their vertices are copies of.
+void tellLeft(const Assembly& assembly, const SweepResult& swept, std::span<const std::uint8_t> left,
+              Reconstruction& result) {
+  for (TriangleId t = 0; t < assembly.carrierTriangles; ++t) {
+    if (assembly.region[t] != Region::kShell || !left[assembly.source[t]]) continue;
+    result.left.resize(assembly.region.size(), 0);
+    result.left[t] = 1;
+    result.leftArea += areaOf(assembly.mesh.positions, assembly.mesh.triangles[t]);
+  }
+  if (result.left.empty()) return;
+  result.base = swept.base;
+  result.base.resize(assembly.mesh.positions.size(), kNone);
 }
 
 Reconstruction finish(Assembly assembly, const TriangleMesh& surface, const SweepResult& swept,
-                      std::span<const std::uint8_t> keep, std::vector<double> depth) {
+                      std::span<const std::uint8_t> keep, std::span<const std::uint8_t> left,
+                      std::vector<double> depth) {
   Reconstruction result;
   result.depth = std::move(depth);
   for (std::size_t t = surface.triangles.size(); t < keep.size(); ++t) {
     if (!keep[t] || swept.region[t] != Region::kShell) continue;
     for (const VertexId v : swept.mesh.triangles[t]) {
+      if (swept.base[v] == kNone) continue;
       double& at = result.depth[swept.base[v]];
       at = std::min(at, swept.distance[v]);
     }
   }
+  tellLeft(assembly, swept, left, result);
   result.mesh = std::move(assembly.mesh);
   result.region = std::move(assembly.region);
-  dropUnused(result.mesh, surface.positions.size());
+  dropUnused(result.mesh, result.base, surface.positions.size());
   return result;
 }
 
@@ -164,6 +190,46 @@ std::size_t predictedBytes(const ContourTask& task, const TriangleMesh& surface,
   return task.working.isLean ? std::min(most, context.memoryLimit()) : most;
 }
 
+std::vector<std::uint8_t> shellOf(const SweepResult& swept) {
+  std::vector<std::uint8_t> is(swept.region.size());
+  for (std::size_t t = 0; t < is.size(); ++t) is[t] = swept.region[t] == Region::kShell;
+  return is;
+}
+
+// What an attempt could not make, in finer cells: the rest of it is the carrier for that. Nothing where even
+// the finest ones that are tried do not do.
+std::optional<Reconstruction> closedFiner(const TriangleMesh& surface, const ClosestPointTree& tree,
+                                          const SweepResult& swept, const ContourTask& task,
+                                          const Attempt& attempt, std::span<const TriangleId> meeting,
+                                          const Options& options, const RunContext& context, int threads,
+                                          Stopwatch& watch) {
+  constexpr double kFiner = 0.5, kMostCells = 1e5;
+  constexpr std::size_t kCarriedBytes = 700;  // for each triangle of the carrier beyond S
+  constexpr int kMostTimes = 3;
+  if (task.refined == kMostTimes) return std::nullopt;
+  const std::size_t carried = attempt.assembly().mesh.triangles.size() - surface.triangles.size();
+  const std::size_t held = heldBytes(surface) + carried * kCarriedBytes;
+  context.reserve(held, "use wider cells");
+  auto holes = holesOf(surface, swept, attempt, task, meeting, context, threads);
+  if (!holes) return std::nullopt;
+  ContourTask finer;
+  finer.width = kFiner * task.width;
+  finer.area = openArea(holes->carried, holes->keep);
+  if (!(finer.area > 0) || finer.area > kMostCells * finer.width * finer.width) return std::nullopt;
+  finer.crossings = mostCrossings(finer.area, finer.width);
+  finer.working = workingSetFor(finer.crossings, held, context);
+  finer.keep = std::move(holes->keep);
+  finer.openable = std::move(holes->openable);
+  finer.left = std::move(holes->left);
+  finer.refined = task.refined + 1;
+  try {
+    return complete(surface, tree, holes->carried, std::move(finer), options, context, threads, watch);
+  } catch (const Error& e) {  // a grid that is too fine, or that S touches wherever it lies
+    if (e.code() == ErrorCode::kCancelled || e.code() == ErrorCode::kMemoryLimit) throw;
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
 std::optional<Reconstruction> complete(const TriangleMesh& surface, const ClosestPointTree& tree,
@@ -171,42 +237,53 @@ std::optional<Reconstruction> complete(const TriangleMesh& surface, const Closes
                                        const RunContext& context, int threads, Stopwatch& watch) {
   std::vector<std::uint8_t>& keep = task.keep;
   const double width = task.width;
-  std::vector<std::uint8_t> isShell(keep.size());
-  bool anyShell = false;
-  for (std::size_t t = 0; t < keep.size(); ++t) {
-    isShell[t] = swept.region[t] == Region::kShell;
-    anyShell |= isShell[t] && keep[t];
-  }
-  if (anyShell) trimSpikes(swept.mesh, swept.region, kLargestGiven * width * width, keep);
+  if (task.openable.empty()) task.openable = shellOf(swept);
+  bool anyOpenable = false;
+  for (std::size_t t = 0; t < keep.size(); ++t) anyOpenable |= task.openable[t] && keep[t];
+  if (anyOpenable) trimSpikes(swept.mesh, task.openable, kLargestGiven * width * width, keep);
   // Walls that were proved alone have none to separate.
-  if (anyShell || swept.shellProved) separateFans(swept, keep);
-  const exact::BoxTree shell(swept.mesh.positions, swept.mesh.triangles, threads, isShell);
+  if (anyOpenable || swept.shellProved) separateFans(swept, task.openable, keep);
+  const exact::BoxTree shell(swept.mesh.positions, swept.mesh.triangles, threads, task.openable);
   const double wanted = openArea(swept, keep);
+  if (task.left.empty()) {
+    task.left.resize(keep.size());
+    std::transform(keep.begin(), keep.end(), task.left.begin(), [](std::uint8_t k) { return k == 0; });
+  }
   const double mostOpen = std::max(wanted, kManyBesideSweep * width * width);
   Attempt attempt(surface, tree, swept, options, width, task.working, context, threads);
   int refinements = 0, yields = 0;
+  bool triedFiner = false;
   std::vector<std::uint8_t> yielded(keep.size(), 0);
+  const auto told = [&](Reconstruction made, std::size_t rounds) {
+    made.rounds += rounds;
+    made.cell = width;
+    made.cells += attempt.field().cells();
+    made.nodes += attempt.field().nodes();
+    made.predicted = std::max(made.predicted, predictedBytes(task, surface, context));
+    made.shellArea = wanted;
+    return made;
+  };
   for (std::size_t round = 0;; ++round) {
     const std::vector<TriangleId> meeting = attempt.run(keep, watch);
     if (meeting.empty()) {
-      Reconstruction result = finish(attempt.takeAssembly(), surface, swept, keep,
+      Reconstruction result = finish(attempt.takeAssembly(), surface, swept, keep, task.left,
                                      depths(surface, tree, options.thickness, context, threads));
-      result.rounds = round;
-      result.cell = width;
-      result.cells = attempt.field().cells();
-      result.nodes = attempt.field().nodes();
-      result.predicted = predictedBytes(task, surface, context);
-      if (wanted > 0) result.leftShare = 1 - openArea(swept, keep) / wanted;
-      return result;
+      result.finest = width;
+      return told(std::move(result), round);
     }
     const double work = static_cast<double>(round + 1) * task.area / (width * width);
     const bool tired = round + 1 >= kSomeAttempts && work > kMostWork;
     const bool lifted = !tired && attempt.liftWalls(meeting);
     const double nearby = width * kFirstReach * std::pow(kReachGrowth, static_cast<double>(yields));
-    if (!tired && refinements == 0 && yields++ < kMostYields &&
-        yield(swept, shell, attempt.assembly(), meeting, nearby, width, mostOpen, yielded, keep))
+    if (!tired && refinements == 0 && yields++ < (task.refined > 0 ? kMostYieldsAtHoles : kMostYields) &&
+        yield(swept, shell, attempt.assembly(), meeting, nearby, width, mostOpen, task.openable, yielded,
+              keep))
       continue;
     if (lifted) continue;
+    if (!std::exchange(triedFiner, true))
+      if (auto made =
+              closedFiner(surface, tree, swept, task, attempt, meeting, options, context, threads, watch))
+        return told(*std::move(made), round);
     if (!task.mayKeepShell) return std::nullopt;
     const double reach = width * kFirstReach * std::pow(kReachGrowth, static_cast<double>(refinements));
     if (!tired && refinements++ < kMostRefinements &&

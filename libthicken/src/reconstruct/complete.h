@@ -17,6 +17,10 @@ struct ContourTask {
   std::size_t crossings = 0;       ///< that it makes at most
   WorkingSet working;              ///< for so many
   bool mayKeepShell = false;       ///< whether the carrier may be given more of the sweep's shell
+  std::vector<std::uint8_t> openable{};  ///< per triangle of the sweep: may be given over; empty: its shell
+  std::vector<std::uint8_t> left{};  ///< per triangle of the sweep: kept for want of better where it is kept;
+                                     ///< empty: where `keep` does not have it
+  int refined = 0;                   ///< times that finer cells were taken
 };
 
 /// The solid of a carrier that is `task.keep` of `swept`; nullopt where it would need more of the sweep's

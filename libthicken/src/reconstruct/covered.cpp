@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "mesh/topology.h"
+
 namespace thicken {
 
 namespace {
@@ -27,12 +29,15 @@ std::vector<std::uint8_t> coveredTriangles(const TriangleMesh& surface, const Sw
   bool any = false;
   for (std::size_t t = 0; t < keep.size(); ++t) {
     if (swept.region[t] != Region::kShell) continue;
-    any |= keep[t] != 0;
     Triangle base{};
+    bool isCopy = true;
     for (int k = 0; k < 3; ++k) {
       base[k] = swept.base[swept.mesh.triangles[t][k]];
-      (keep[t] ? hasKept : hasOpen)[base[k]] = 1;
+      isCopy &= base[k] != kNone;
+      if (base[k] != kNone) (keep[t] ? hasKept : hasOpen)[base[k]] = 1;
     }
+    if (!isCopy) continue;
+    any |= keep[t] != 0;
     copies.push_back({ascending(base), keep[t]});
   }
   std::vector<std::uint8_t> covered(surface.triangles.size(), 0);

@@ -57,7 +57,7 @@ void DeepWalls::listBottom() {
     if (swept_.region[t] == Region::kWall) walls.push_back(swept_.mesh.triangles[t]);
   for (const Triangle& wall : walls)
     for (const VertexId v : wall)
-      if (v >= surface_.positions.size() && base_[v] == kNone) {
+      if (v >= surface_.positions.size() && base_[v] == kNone && swept_.base[v] != kNone) {
         base_[v] = swept_.base[v];
         low_.push_back(v);
       }
@@ -137,7 +137,8 @@ void DeepWalls::placeAll() {
 }
 
 std::vector<Vec3> DeepWalls::up() const {
-  std::vector<Vec3> up(at_.size(), Vec3::Zero());
+  std::vector<Vec3> up = swept_.up;
+  up.resize(at_.size(), Vec3::Zero());
   for (const VertexId v : low_) up[v] = surface_.positions[base_[v]] - at_[v];
   return up;
 }
@@ -159,6 +160,7 @@ bool DeepWalls::lift(std::span<const VertexId> vertices, double step) {
 }
 
 void DeepWalls::fit(std::span<const std::uint8_t> keep) {
+  if (low_.empty()) return;
   std::vector<Triangle> triangles;
   std::vector<std::uint8_t> fixed;
   // The walls are clear of S since the first fit; pieces of shell are, since the sweep.

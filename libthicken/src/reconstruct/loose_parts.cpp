@@ -19,7 +19,7 @@ void dropParts(Assembly& assembly, const Components& parts, std::span<const std:
     assembly.mesh.triangles[kept] = assembly.mesh.triangles[t];
     assembly.region[kept] = assembly.region[t];
     if (t < assembly.carrierTriangles)
-      ++keptOfCarrier;
+      assembly.source[keptOfCarrier++] = assembly.source[t];
     else
       assembly.crossing[kept - keptOfCarrier] = assembly.crossing[t - assembly.carrierTriangles];
     ++kept;
@@ -27,6 +27,7 @@ void dropParts(Assembly& assembly, const Components& parts, std::span<const std:
   assembly.mesh.triangles.resize(kept);
   assembly.region.resize(kept);
   assembly.crossing.resize(kept - keptOfCarrier);
+  assembly.source.resize(keptOfCarrier);
   assembly.carrierTriangles = keptOfCarrier;
 }
 

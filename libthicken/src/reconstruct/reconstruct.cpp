@@ -6,8 +6,8 @@
 
 #include "measure/measure.h"
 #include "measure/stopwatch.h"
-#include "reconstruct/best_width.h"
 #include "reconstruct/complete.h"
+#include "reconstruct/finer_parts.h"
 #include "reconstruct/shell_plan.h"
 #include "sweep/sweep.h"
 #include "sweep/sweep_walls.h"
@@ -21,6 +21,16 @@ struct WholeShell {
   double area = 0, shadows = 0;  // mm²
   double width = 0;
 };
+
+// Whether cells of a width may be tried where wider ones did not do.
+std::function<bool(double, double)> finerCells(const TriangleMesh& surface, const Options& options,
+                                               const RunContext& context) {
+  return [&](double width, double area) {
+    constexpr double kMostCells = 1e5;
+    return !options.cell && !options.resolution && area <= kMostCells * width * width &&
+           !workingSetFor(mostCrossings(area, width), heldBytes(surface), context).isLean;
+  };
+}
 
 // The solid with no shell but the contour's.
 Reconstruction wholeContour(const TriangleMesh& surface, const ClosestPointTree& tree,
@@ -47,13 +57,8 @@ Reconstruction wholeContour(const TriangleMesh& surface, const ClosestPointTree&
   if (const auto walls = sweepWalls(surface, tree, options.thickness, context, threads))
     if (auto made = below(*walls, shell.width, working)) return *std::move(made);
   const SweepResult& all = swept();
-  const auto isAllowed = [&](double width) {
-    constexpr double kMostCells = 1e5;
-    return !options.cell && !options.resolution && shell.area <= kMostCells * width * width &&
-           !workingSetFor(mostShellCrossings(shell.shadows, width), heldBytes(surface), context).isLean;
-  };
-  return bestOfWidths(shell.width, isAllowed,
-                      [&](double width) { return *below(all, width, roomFor(width)); });
+  return withFinerParts(*below(all, shell.width, working), surface, tree, options,
+                        finerCells(surface, options, context), context, threads, watch);
 }
 
 }  // namespace
@@ -88,9 +93,11 @@ std::optional<Reconstruction> deepen(const TriangleMesh& surface, const ClosestP
     if (!(plan.width < r / 2)) plan.width = own;  // which is refused
     const std::size_t crossings = mostCrossings(plan.area, plan.width);
     const WorkingSet working = requireRoomForField(surface, crossings, r, plan.width, context);
-    return complete(surface, tree, swept,
-                    {std::move(plan.keep), plan.area, plan.width, crossings, working, true}, options, context,
-                    threads, watch);
+    Reconstruction made = *complete(surface, tree, swept,
+                                    {std::move(plan.keep), plan.area, plan.width, crossings, working, true},
+                                    options, context, threads, watch);
+    return withFinerParts(std::move(made), surface, tree, options, finerCells(surface, options, context),
+                          context, threads, watch);
   }
   const auto asMade = [&]() -> const SweepResult& { return swept; };
   return wholeContour(surface, tree, asMade, shell, options, context, threads, watch);

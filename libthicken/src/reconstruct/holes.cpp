@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "reconstruct/holes.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "exact/pair_search.h"
+#include "exact/predicates.h"
+#include "mesh/sort_unique.h"
+#include "mesh/topology.h"
+#include "reconstruct/strip_region.h"
+
+namespace thicken {
+
+namespace {
+
+// Takes what is openable around the triangles out of `keep`.
+void cutAround(const TriangleMesh& mesh, std::span<const TriangleId> triangles,
+               std::span<const std::uint8_t> openable, std::vector<std::uint8_t>& keep) {
+  constexpr int kRings = 3;
+  std::vector<std::uint8_t> near(mesh.positions.size(), 0);
+  const auto reach = [&](TriangleId t) {
+    for (const VertexId v : mesh.triangles[t]) near[v] = 1;
+  };
+  for (const TriangleId t : triangles) {
+    if (openable[t]) keep[t] = 0;
+    reach(t);
+  }
+  for (int ring = 0; ring < kRings; ++ring) {
+    std::vector<TriangleId> next;
+    for (TriangleId t = 0; t < keep.size(); ++t)
+      if (keep[t] && openable[t] &&
+          std::any_of(mesh.triangles[t].begin(), mesh.triangles[t].end(), [&](VertexId v) { return near[v]; }))
+        next.push_back(t);
+    for (const TriangleId t : next) {
+      keep[t] = 0;
+      reach(t);
+    }
+  }
+}
+
+bool anyFlat(const TriangleMesh& mesh, std::span<const TriangleId> triangles) {
+  return std::any_of(triangles.begin(), triangles.end(), [&](TriangleId t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    return exact::collinear(mesh.positions[a], mesh.positions[b], mesh.positions[c]);
+  });
+}
+
+// Cuts holes until what is kept of a boundary is clear of itself. Walls that stand where they were drawn back to
+// go back where they stood, all clear of each other.
+class Cutter {
+ public:
+  Cutter(Holes& holes, std::span<const Vec3> start, const RunContext& context, int threads)
+      : holes_(holes), mesh_(holes.carried.mesh), start_(start), context_(context), threads_(threads) {}
+
+  bool cut(std::span<const TriangleId> meeting) {
+    constexpr int kMostTimes = 8;
+    std::vector<TriangleId> bad(meeting.begin(), meeting.end());
+    for (int i = 0; i < kMostTimes; ++i) {
+      cutAround(mesh_, bad, holes_.openable, holes_.keep);
+      std::erase_if(bad, [this](TriangleId t) { return holes_.openable[t] != 0; });
+      if (bad.empty()) return true;
+      putBack(bad);
+      const std::vector<TriangleId> left = meetingAmongKept(bad);
+      if (left.empty()) return !anyFlat(mesh_, bad);
+      bad = left;
+    }
+    return false;
+  }
+
+ private:
+  // Ends of walls of these triangles.
+  void putBack(std::span<const TriangleId> triangles) {
+    for (const TriangleId t : triangles)
+      for (const VertexId v : mesh_.triangles[t])
+        if (v < start_.size()) mesh_.positions[v] = start_[v];
+  }
+
+  // What meets a triangle that may have moved, or a triangle of `bad`.
+  std::vector<TriangleId> meetingAmongKept(std::span<const TriangleId> bad) {
+    std::vector<std::uint8_t> moved(mesh_.positions.size(), 0);
+    for (const TriangleId t : bad)
+      for (const VertexId v : mesh_.triangles[t]) moved[v] = 1;
+    TriangleMesh kept;
+    kept.positions = mesh_.positions;
+    std::vector<TriangleId> id;
+    std::vector<std::uint8_t> clear;
+    for (TriangleId t = 0; t < holes_.keep.size(); ++t) {
+      if (!holes_.keep[t]) continue;
+      const Triangle& corners = mesh_.triangles[t];
+      id.push_back(t);
+      kept.triangles.push_back(corners);
+      clear.push_back(
+          std::none_of(corners.begin(), corners.end(), [&](VertexId v) { return moved[v] != 0; }));
+    }
+    exact::PairSearch search(kept, exact::PairSearch::kAll, threads_);
+    std::vector<TriangleId> meeting;
+    for (const auto& [a, b] : search.all(clear, context_, threads_)) {
+      meeting.push_back(id[a]);
+      meeting.push_back(id[b]);
+    }
+    sortUnique(meeting);
+    return meeting;
+  }
+
+  Holes& holes_;
+  TriangleMesh& mesh_;
+  std::span<const Vec3> start_;
+  const RunContext& context_;
+  int threads_;
+};
+
+}  // namespace
+
+std::optional<Holes> holesOf(const TriangleMesh& surface, const SweepResult& swept, const Attempt& attempt,
+                             const ContourTask& task, std::span<const TriangleId> meeting, const RunContext& context, int threads) {
+  Assembly made = attempt.assembly();
+  labelStrip(made, threads);
+  Holes holes;
+  const std::size_t count = made.region.size();
+  holes.keep.assign(count, 1);
+  holes.openable.assign(count, 1);
+  holes.left.assign(count, 0);
+  SweepResult& carried = holes.carried;
+  carried.base.assign(made.mesh.positions.size(), kNone);
+  for (VertexId v = 0; v < surface.positions.size(); ++v) carried.base[v] = v;
+  for (TriangleId t = 0; t < made.carrierTriangles; ++t) {
+    const TriangleId source = made.source[t];
+    holes.openable[t] = task.openable[source];
+    if (made.region[t] != Region::kShell) continue;
+    holes.left[t] = task.left[source];
+    // What is deeper than a piece of the sweep's shell is not the material of the triangles that it copies.
+    for (const VertexId v : made.mesh.triangles[t])
+      carried.base[v] = v < swept.base.size() ? swept.base[v] : kNone;
+  }
+  carried.distance = swept.distance;
+  carried.distance.resize(made.mesh.positions.size(), 0);
+  carried.up = attempt.carrier().up;
+  carried.up.resize(made.mesh.positions.size(), Vec3::Zero());
+  carried.mesh = std::move(made.mesh);
+  carried.region = std::move(made.region);
+  if (!Cutter(holes, attempt.carrier().mesh.positions, context, threads).cut(meeting)) return std::nullopt;
+  return holes;
+}
+
+}  // namespace thicken

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// What an attempt could not make is cut out of it; all else, whose triangles are clear of each other, is the
+// carrier for another contour in finer cells.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "reconstruct/attempt.h"
+#include "reconstruct/complete.h"
+
+namespace thicken {
+
+struct Holes {
+  SweepResult carried;                 ///< the attempt's boundary, with what is not clear
+  std::vector<std::uint8_t> keep;      ///< per triangle of it: outside of the holes
+  std::vector<std::uint8_t> openable;  ///< ContourTask, for the next
+  std::vector<std::uint8_t> left;      ///< ContourTask, for the next
+};
+
+/// The holes around the triangles that `meeting` lists after `attempt` at `task`, which was made with `swept`.
+/// Nothing where triangles of its carrier meet each other wherever their walls end.
+[[nodiscard]] std::optional<Holes> holesOf(const TriangleMesh& surface, const SweepResult& swept,
+                                           const Attempt& attempt, const ContourTask& task,
+                                           std::span<const TriangleId> meeting, const RunContext& context,
+                                           int threads);
+
+}  // namespace thicken
