@@ -61,6 +61,7 @@ class DistanceTree {
     float plane[4][4][kWidth];  ///< unit normal and height, then for each edge the way out and its height
     std::uint32_t first;        ///< of order_
     std::uint32_t count;
+    Leaf() {}  // uninitialised, so that the thread that fills a leaf is the first to touch it
   };
   static constexpr std::int32_t kEmpty = INT32_MAX;
 

@@ -72,11 +72,11 @@ class PinchTest {
   explicit PinchTest(const TriangleMesh& mesh) : mesh_(mesh) {}
 
   bool operator()(std::span<const HalfEdge> leaving) {
-    if (leaving.size() < 2) return false;
+    if (leaving.size() < 2 || goesRoundOnce(leaving)) return false;
     ends_.clear();
     for (std::uint32_t i = 0; i < leaving.size(); ++i) {
       ends_.emplace_back(leaving[i].to, i);
-      ends_.emplace_back(mesh_.triangles[leaving[i].triangle()][(leaving[i].corner() + 2) % 3], i);
+      ends_.emplace_back(otherEnd(leaving[i]), i);
     }
     std::sort(ends_.begin(), ends_.end());
     corners_.reset(leaving.size());
@@ -91,6 +91,26 @@ class PinchTest {
   }
 
  private:
+  // Each corner's other end.
+  [[nodiscard]] VertexId otherEnd(const HalfEdge& e) const {
+    return mesh_.triangles[e.triangle()][(e.corner() + 2) % 3];
+  }
+
+  // Whether all corners follow on each other, the last one on the first: what nearly every vertex is like.
+  [[nodiscard]] bool goesRoundOnce(std::span<const HalfEdge> leaving) const {
+    constexpr std::size_t kMost = 24;  // of more the search for the next takes too long
+    if (leaving.size() > kMost) return false;
+    std::size_t at = 0;
+    for (std::size_t steps = 1; steps <= leaving.size(); ++steps) {
+      const VertexId end = otherEnd(leaving[at]);
+      at = static_cast<std::size_t>(std::ranges::find(leaving, end, [](const HalfEdge& e) { return e.to; }) -
+                                    leaving.begin());
+      if (at == leaving.size()) return false;
+      if (at == 0) return steps == leaving.size();
+    }
+    return false;
+  }
+
   const TriangleMesh& mesh_;
   UnionFind corners_;
   std::vector<std::pair<VertexId, std::uint32_t>> ends_;  ///< other end of an edge, number of a corner

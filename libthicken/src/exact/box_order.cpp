@@ -2,6 +2,7 @@
 #include "exact/box_order.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "parallel_for.h"
@@ -17,6 +18,48 @@ struct Centre {
 float centreOf(double a, double b, double c) {
   const float sum = static_cast<float>(a + b + c);
   return std::isfinite(sum) ? sum : 0;  // only the quality of the tree depends on it
+}
+
+bool isBefore(const Centre& a, const Centre& b, int axis) {
+  return (a.x[axis] < b.x[axis]) | ((a.x[axis] == b.x[axis]) & (a.id < b.id));
+}
+
+// As std::nth_element() along an axis. Which side of a pivot a centre belongs to cannot be predicted, so that
+// each is moved without a branch; pivots come from samples, close to the one that is looked for.
+void select(std::span<Centre> centres, std::size_t nth, int axis) {
+  constexpr std::size_t kFew = 20, kSamples = 31, kLarge = 1024, kSamplesOfSmall = 9;
+  constexpr int kMostRounds = 64;  // of more the samples are no good
+  const auto before = [axis](const Centre& a, const Centre& b) { return isBefore(a, b, axis); };
+  for (int round = 0; centres.size() > kFew && round < kMostRounds; ++round) {
+    const bool large = centres.size() > kLarge;
+    const std::size_t count = large ? kSamples : kSamplesOfSmall, beside = large ? 2 : 1;
+    std::array<Centre, kSamples> samples;
+    for (std::size_t k = 0; k < count; ++k) samples[k] = centres[k * centres.size() / count];
+    // Beyond the one that is looked for on the side where more are, which then are left out.
+    std::size_t at = nth * count / centres.size();
+    at = 2 * nth < centres.size() ? std::min(at + beside, count / 2)
+                                  : std::max(at, count / 2 + beside) - beside;
+    std::nth_element(samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(at),
+                     samples.begin() + static_cast<std::ptrdiff_t>(count), before);
+    const Centre pivot = samples[at];
+    std::size_t below = 0;
+    for (std::size_t i = 0; i < centres.size(); ++i) {
+      const Centre c = centres[i];
+      centres[i] = centres[below];
+      centres[below] = c;
+      below += isBefore(c, pivot, axis);
+    }
+    if (nth < below) {
+      centres = centres.first(below);
+    } else if (below > 0) {
+      centres = centres.subspan(below);
+      nth -= below;
+    } else {
+      break;  // the pivot is the first of all
+    }
+  }
+  std::nth_element(centres.begin(), centres.begin() + static_cast<std::ptrdiff_t>(nth), centres.end(),
+                   before);
 }
 
 int longestSide(std::span<const Centre> centres) {
@@ -43,10 +86,7 @@ std::span<Centre> of(const Subtree& tree, std::span<Centre> centres) {
 void partition(const Subtree& tree, std::span<Centre> centres) {
   const std::span<Centre> part = of(tree, centres);
   const int axis = longestSide(part);
-  std::nth_element(part.begin(), part.begin() + kLeafSize * tree.left().count, part.end(),
-                   [axis](const Centre& a, const Centre& b) {
-                     return a.x[axis] != b.x[axis] ? a.x[axis] < b.x[axis] : a.id < b.id;
-                   });
+  select(part, std::size_t{kLeafSize} * tree.left().count, axis);
 }
 
 void sortBelow(const Subtree& tree, std::span<Centre> centres) {

@@ -2,118 +2,16 @@
 #include "exact/box_tree.h"
 
 #include <algorithm>
-#include <atomic>
-#include <bit>
 #include <numeric>
 #include <utility>
 
 #include "exact/box_order.h"
 #include "exact/clear_fans.h"
-#include "exact/float_box.h"
-#include "exact/predicates.h"
-#include "exact/triangle_pair.h"
+#include "exact/self_meetings.h"
 #include "mesh/sort_unique.h"
 #include "parallel_for.h"
 
 namespace thicken::exact {
-namespace {
-
-constexpr std::uint32_t kNobody = 0xffffffffu;
-
-// Four boxes side by side, so that one box is compared with all of them at once.
-struct Leaf {
-  float low[3][kLeafSize], high[3][kLeafSize];
-  TriangleId id[kLeafSize];
-
-  void set(std::uint32_t i, const FloatBox& box) {
-    for (int k = 0; k < 3; ++k) {
-      low[k][i] = box.low[k];
-      high[k][i] = box.high[k];
-    }
-  }
-  [[nodiscard]] FloatBox box(std::uint32_t i) const {
-    return {{low[0][i], low[1][i], low[2][i]}, {high[0][i], high[1][i], high[2][i]}};
-  }
-  [[nodiscard]] FloatBox box() const {
-    FloatBox all = box(0);
-    for (std::uint32_t i = 1; i < kLeafSize; ++i) all.include(box(i));
-    return all;
-  }
-  // Bit i: whether box i overlaps.
-  [[nodiscard]] unsigned overlaps(const FloatBox& other) const {
-#ifdef __SSE__
-    static_assert(kLeafSize == 4);
-    __m128 in = _mm_cmple_ps(_mm_loadu_ps(low[0]), _mm_set1_ps(other.high[0]));
-    in = _mm_and_ps(in, _mm_cmpge_ps(_mm_loadu_ps(high[0]), _mm_set1_ps(other.low[0])));
-    for (int k = 1; k < 3; ++k) {
-      in = _mm_and_ps(in, _mm_cmple_ps(_mm_loadu_ps(low[k]), _mm_set1_ps(other.high[k])));
-      in = _mm_and_ps(in, _mm_cmpge_ps(_mm_loadu_ps(high[k]), _mm_set1_ps(other.low[k])));
-    }
-    return static_cast<unsigned>(_mm_movemask_ps(in));
-#else
-    unsigned bits = 0;
-    for (std::uint32_t i = 0; i < kLeafSize; ++i) {
-      bool all = true;
-      for (int k = 0; k < 3; ++k) all &= (low[k][i] <= other.high[k]) & (other.low[k] <= high[k][i]);
-      bits |= static_cast<unsigned>(all) << i;
-    }
-    return bits;
-#endif
-  }
-};
-
-// Why pairs of two triangles that share a bit are left out.
-using Mask = std::uint8_t;
-constexpr Mask kFixed = 1, kUnmoved = 2;
-
-struct Geometry {
-  std::span<const Vec3> positions;
-  std::span<const Triangle> triangles;
-
-  [[nodiscard]] FloatBox box(TriangleId t) const {
-    const Triangle& c = triangles[t];
-    return boxOf(positions[c[0]], positions[c[1]], positions[c[2]]);
-  }
-  [[nodiscard]] bool degenerate(TriangleId t) const {
-    const Triangle& c = triangles[t];
-    return collinear(positions[c[0]], positions[c[1]], positions[c[2]]);
-  }
-  [[nodiscard]] bool pairMeets(TriangleId a, TriangleId b) const {
-    return meet(positions, triangles[a], triangles[b]) && !degenerate(a) && !degenerate(b);
-  }
-};
-
-TrianglePair ordered(TriangleId a, TriangleId b) {
-  return a < b ? TrianglePair{a, b} : TrianglePair{b, a};
-}
-
-// Counts the pairs of all threads, for those that want only some.
-class Limit {
- public:
-  explicit Limit(std::size_t limit) : limit_(limit) {}
-  void count() {
-    if (limit_ != 0) found_.fetch_add(1, std::memory_order_relaxed);
-  }
-  [[nodiscard]] bool reached() const {
-    return limit_ != 0 && found_.load(std::memory_order_relaxed) > limit_;
-  }
-
- private:
-  std::size_t limit_;
-  std::atomic<std::size_t> found_{0};
-};
-
-std::vector<TrianglePair> sortedUnion(std::vector<std::vector<TrianglePair>>& parts) {
-  std::size_t total = 0;
-  for (const auto& part : parts) total += part.size();
-  std::vector<TrianglePair> all;
-  all.reserve(total);
-  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
-  sortUnique(all);
-  return all;
-}
-
-}  // namespace
 
 struct BoxTree::Impl {
   std::vector<FloatBox> box;  // a node, in preorder
@@ -205,145 +103,6 @@ struct BoxTree::Impl {
 
 namespace {
 
-// One simultaneous descent of the tree against itself.
-class SelfMeetings {
- public:
-  // `clearFan`: of each vertex (clearFans()).
-  SelfMeetings(const std::vector<FloatBox>& box, const std::vector<Leaf>& leaves, const Geometry& geometry,
-               std::vector<std::uint8_t> clearFan, std::vector<Mask> maskOfSlot, std::size_t limit)
-      : box_(box),
-        leaves_(leaves),
-        geometry_(geometry),
-        clearFan_(std::move(clearFan)),
-        maskOfSlot_(std::move(maskOfSlot)),
-        limit_(limit) {
-    if (!maskOfSlot_.empty()) {
-      maskOfNode_.resize(box.size());
-      gatherMasks(root());
-    }
-  }
-
-  std::vector<TrianglePair> run(const RunContext& context, int threads) {
-    const std::vector<Task> tasks = topTasks();
-    std::vector<std::vector<TrianglePair>> found(tasks.size());
-    parallelFor(tasks.size(), threads, context, 1, [&](std::size_t i) {
-      if (tasks[i].a.node == tasks[i].b.node)
-        within(tasks[i].a, found[i]);
-      else
-        between(tasks[i].a, tasks[i].b, found[i]);
-    });
-    return sortedUnion(found);
-  }
-
- private:
-  struct Task {
-    Subtree a, b;
-  };
-  using Found = std::vector<TrianglePair>;
-
-  [[nodiscard]] Subtree root() const { return {0, 0, static_cast<std::uint32_t>(leaves_.size())}; }
-
-  Mask gatherMasks(const Subtree& tree) {
-    Mask all = kFixed | kUnmoved;
-    if (tree.isLeaf()) {
-      for (std::uint32_t i = 0; i < kLeafSize; ++i) all &= maskOfSlot_[kLeafSize * tree.first + i];
-    } else {
-      const Mask left = gatherMasks(tree.left());
-      all = left & gatherMasks(tree.right());
-    }
-    return maskOfNode_[tree.node] = all;
-  }
-  [[nodiscard]] bool leftOut(const Subtree& a, const Subtree& b) const {
-    return !maskOfNode_.empty() && (maskOfNode_[a.node] & maskOfNode_[b.node]) != 0;
-  }
-  [[nodiscard]] bool apart(const Subtree& a, const Subtree& b) const {
-    return leftOut(a, b) || !box_[a.node].overlaps(box_[b.node]);
-  }
-
-  // Splits the descent into parts that threads share, the same ones for any number of them.
-  [[nodiscard]] std::vector<Task> topTasks() const {
-    constexpr std::size_t kTasks = 2000;
-    std::vector<Task> tasks{{root(), root()}};
-    for (bool split = true; split && tasks.size() < kTasks;) {
-      split = false;
-      std::vector<Task> next;
-      for (const Task& t : tasks) {
-        if (t.a.isLeaf() && t.b.isLeaf()) {
-          next.push_back(t);
-          continue;
-        }
-        split = true;
-        const bool self = t.a.node == t.b.node;
-        if (self) {
-          for (const Subtree& half : {t.a.left(), t.a.right()})
-            if (!leftOut(half, half)) next.push_back({half, half});
-          if (!apart(t.a.left(), t.a.right())) next.push_back({t.a.left(), t.a.right()});
-        } else {
-          const auto [large, small] = t.a.count >= t.b.count ? t : Task{t.b, t.a};
-          for (const Subtree& half : {large.left(), large.right()})
-            if (!apart(half, small)) next.push_back({half, small});
-        }
-      }
-      tasks = std::move(next);
-    }
-    return tasks;
-  }
-
-  void within(const Subtree& tree, Found& found) {
-    if (leftOut(tree, tree) || limit_.reached()) return;
-    if (tree.isLeaf()) {
-      const Leaf& leaf = leaves_[tree.first];
-      for (std::uint32_t i = 0; i + 1 < kLeafSize; ++i)
-        test(tree.first, i, tree.first, leaf.overlaps(leaf.box(i)) & (0xeu << i), found);
-      return;
-    }
-    within(tree.left(), found);
-    within(tree.right(), found);
-    between(tree.left(), tree.right(), found);
-  }
-
-  void between(const Subtree& a, const Subtree& b, Found& found) {
-    if (apart(a, b) || limit_.reached()) return;
-    if (a.isLeaf() && b.isLeaf()) {
-      for (std::uint32_t i = 0; i < kLeafSize; ++i) {
-        const FloatBox box = leaves_[a.first].box(i);
-        if (box.overlaps(box_[b.node])) test(a.first, i, b.first, leaves_[b.first].overlaps(box), found);
-      }
-      return;
-    }
-    const auto& [large, small] = a.count >= b.count ? Task{a, b} : Task{b, a};
-    between(large.left(), small, found);
-    between(large.right(), small, found);
-  }
-
-  void test(std::uint32_t leafA, std::uint32_t i, std::uint32_t leafB, unsigned candidates, Found& found) {
-    for (; candidates != 0; candidates &= candidates - 1) {
-      const auto j = static_cast<std::uint32_t>(std::countr_zero(candidates));
-      if (!maskOfSlot_.empty() &&
-          (maskOfSlot_[kLeafSize * leafA + i] & maskOfSlot_[kLeafSize * leafB + j]) != 0)
-        continue;
-      const TriangleId a = leaves_[leafA].id[i], b = leaves_[leafB].id[j];
-      if (shareClearFan(a, b) || !geometry_.pairMeets(a, b)) continue;
-      found.push_back(ordered(a, b));
-      limit_.count();
-    }
-  }
-
-  [[nodiscard]] bool shareClearFan(TriangleId a, TriangleId b) const {
-    const Triangle& of = geometry_.triangles[b];
-    for (const VertexId v : geometry_.triangles[a])
-      if ((v == of[0] || v == of[1] || v == of[2]) && clearFan_[v] != 0) return true;
-    return false;
-  }
-
-  const std::vector<FloatBox>& box_;
-  const std::vector<Leaf>& leaves_;
-  Geometry geometry_;
-  std::vector<std::uint8_t> clearFan_;
-  std::vector<Mask> maskOfSlot_, maskOfNode_;
-  Limit limit_;
-};
-
 // Whether `order` names all of `ids`, which ascend, and nothing else.
 bool namesAll(std::span<const TriangleId> order, std::span<const TriangleId> ids) {
   if (order.size() != ids.size() || ids.empty()) return false;
@@ -428,9 +187,8 @@ std::vector<TrianglePair> BoxTree::meetingPairs(std::span<const Vec3> positions,
   if (!fixed.empty())
     masks =
         masksOf(impl_->leaves, threads, [fixed](TriangleId t) -> Mask { return fixed[t] != 0 ? kFixed : 0; });
-  return SelfMeetings(impl_->box, impl_->leaves, {positions, triangles},
-                      clearFans(positions, triangles, fixed, threads), std::move(masks), limit)
-      .run(context, threads);
+  return selfMeetings(impl_->box, impl_->leaves, {positions, triangles},
+                      clearFans(positions, triangles, fixed, threads), masks, limit, context, threads);
 }
 
 std::vector<TrianglePair> BoxTree::meetingPairsWith(std::span<const TriangleId> moved,
@@ -448,9 +206,8 @@ std::vector<TrianglePair> BoxTree::meetingPairsWith(std::span<const TriangleId> 
     std::vector<Mask> masks = masksOf(impl_->leaves, threads, [&](TriangleId t) -> Mask {
       return (isMoved[t] != 0 ? 0 : kUnmoved) | (!fixed.empty() && fixed[t] != 0 ? kFixed : 0);
     });
-    return SelfMeetings(impl_->box, impl_->leaves, geometry, clearFans(positions, triangles, fixed, threads),
-                        std::move(masks), 0)
-        .run(context, threads);
+    return selfMeetings(impl_->box, impl_->leaves, geometry, clearFans(positions, triangles, fixed, threads),
+                        masks, 0, context, threads);
   }
 
   constexpr std::size_t kBlock = 64;

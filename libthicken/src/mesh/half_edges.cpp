@@ -24,8 +24,7 @@ HalfEdges::HalfEdges(std::size_t vertexCount, std::span<const Triangle> triangle
   });
 }
 
-std::span<const HalfEdge> HalfEdges::uses(VertexId from, VertexId to) const {
-  const std::span<const HalfEdge> leaving = this->from(from);
+std::span<const HalfEdge> HalfEdges::search(std::span<const HalfEdge> leaving, VertexId to) {
   const auto begin = std::lower_bound(leaving.begin(), leaving.end(), to,
                                       [](const HalfEdge& e, VertexId v) { return e.to < v; });
   auto end = begin;

@@ -26,7 +26,18 @@ class HalfEdges {
             std::span<const std::uint8_t> active = {}, int threads = 1);
 
   /// All uses of the edge in this direction, by ascending slot.
-  [[nodiscard]] std::span<const HalfEdge> uses(VertexId from, VertexId to) const;
+  [[nodiscard]] std::span<const HalfEdge> uses(VertexId from, VertexId to) const {
+    constexpr std::size_t kFew = 16;
+    const std::span<const HalfEdge> leaving = this->from(from);
+    if (leaving.size() > kFew) return search(leaving, to);
+    // One by one: a search by halves guesses wrong half of the time.
+    std::size_t begin = 0, end = 0;
+    for (const HalfEdge& e : leaving) {
+      begin += e.to < to;
+      end += e.to <= to;
+    }
+    return leaving.subspan(begin, end - begin);
+  }
 
   /// All directed edges that leave a vertex, by ascending end, then slot.
   [[nodiscard]] std::span<const HalfEdge> from(VertexId v) const {
@@ -53,6 +64,8 @@ class HalfEdges {
   }
 
  private:
+  [[nodiscard]] static std::span<const HalfEdge> search(std::span<const HalfEdge> leaving, VertexId to);
+
   std::vector<std::uint32_t> offset_;
   std::vector<HalfEdge> edges_;
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sweep/polish.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -53,7 +53,8 @@ struct Quadric {
   [[nodiscard]] Vec3 step() const {
     const double weight = a.trace();
     if (!(weight > 0)) return Vec3::Zero();
-    return (a + kDamping * weight * Eigen::Matrix3d::Identity()).ldlt().solve(b);
+    const Eigen::Matrix3d damped = a + kDamping * weight * Eigen::Matrix3d::Identity();
+    return damped.inverse() * b;  // which the damping makes safe
   }
 };
 
@@ -87,29 +88,27 @@ void polish(SweptMesh& mesh, const ClosestPointTree& tree, const RunContext& con
                   3 * static_cast<std::uint32_t>(i) + corner);
           });
   const std::vector<TriangleId> above = trianglesAbove(shell, mesh, threads);
-  for (std::size_t i = 0; i < samples.size(); ++i) samples[i].nearest = above[i / each];
+  parallelFor(samples.size(), threads, context, 8192,
+              [&](std::size_t i) { samples[i].nearest = above[i / each]; });
   SpatialOrder order(above, tree, threads);
-  std::vector<Vec3> start;
-  start.reserve(mesh.copies.size());
-  for (const Copy& c : mesh.copies) start.push_back(c.offset);
+  std::vector<Vec3> start(mesh.copies.size());
+  parallelFor(start.size(), threads, context, 8192, [&](std::size_t i) { start[i] = mesh.copies[i].offset; });
+  std::vector<std::uint8_t> open(shell.size(), 1);  // whether a triangle is looked at
   for (int round = 0; round < kRounds; ++round) {
-    parallelFor(shell.size(), threads, context, 1024, [&](std::size_t i) {
-      const Triangle& t = mesh.triangles[shell[i]];
-      area[i] = (mesh.positions[t[1]] - mesh.positions[t[0]])
-                    .cross(mesh.positions[t[2]] - mesh.positions[t[0]])
-                    .norm();
-    });
-    if (round > 0)  // they stay so: their points are not looked at again
-      order.eraseIf([&](std::uint32_t i) {
-        return isSettled(std::span(samples).subspan(each * i, each), mesh.thickness);
+    if (round > 0) {  // they stay so: their points are not looked at again
+      parallelFor(shell.size(), threads, context, 4096, [&](std::size_t i) {
+        open[i] = open[i] != 0 && !isSettled(std::span(samples).subspan(each * i, each), mesh.thickness);
       });
+      order.eraseIf([&](std::uint32_t i) { return open[i] == 0; });
+    }
     order.query<kMostShellSamples>(
         tree, each, threads, context,
         [&](std::uint32_t i, std::size_t k, ClosestPointTree::Query& query) {
           const Triangle& t = mesh.triangles[shell[i]];
+          const Vec3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
+          if (k == 0) area[i] = (b - a).cross(c - a).norm();
           const auto& w = kShellSamples[k];
-          query.point =
-              w[0] * mesh.positions[t[0]] + w[1] * mesh.positions[t[1]] + w[2] * mesh.positions[t[2]];
+          query.point = w[0] * a + w[1] * b + w[2] * c;
           query.hint = samples[each * i + k].nearest;
           return true;
         },
@@ -122,9 +121,12 @@ void polish(SweptMesh& mesh, const ClosestPointTree& tree, const RunContext& con
     parallelFor(mesh.copies.size(), threads, context, 1024, [&](std::size_t i) {
       Copy& c = mesh.copies[i];
       if (c.depth != 1 || c.dropped || c.safety < kSafe) return;
+      const auto around =
+          std::span(corners.values).subspan(corners.offset[i], corners.offset[i + 1] - corners.offset[i]);
+      if (std::ranges::none_of(around, [&](std::uint32_t corner) { return open[corner / 3] != 0; })) return;
       Quadric quadric;
-      for (std::uint32_t at = corners.offset[i]; at < corners.offset[i + 1]; ++at) {
-        const std::size_t triangle = corners.values[at] / 3, corner = corners.values[at] % 3;
+      for (const std::uint32_t at : around) {
+        const std::size_t triangle = at / 3, corner = at % 3;
         for (std::size_t k = 0; k < each; ++k)
           quadric.add(samples[each * triangle + k], kShellSamples[k][corner], area[triangle]);
       }

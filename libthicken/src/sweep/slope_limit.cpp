@@ -57,7 +57,7 @@ CopyGraph copyGraph(const SweptMesh& mesh, int threads) {
 }
 
 std::vector<std::uint32_t> limitSlope(SweptMesh& mesh, const CopyGraph& graph,
-                                      std::span<const std::uint32_t> from) {
+                                      std::span<const std::uint32_t> from, int threads) {
   using Entry = std::pair<double, std::uint32_t>;  // way, copy
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
   const auto wayOf = [&](std::uint32_t i) { return mesh.copies[i].depth * mesh.copies[i].length; };
@@ -70,8 +70,12 @@ std::vector<std::uint32_t> limitSlope(SweptMesh& mesh, const CopyGraph& graph,
                        });
   };
   if (from.empty()) {
+    std::vector<std::uint8_t> starts(mesh.copies.size());
+    parallelFor(starts.size(), threads, RunContext(), kGrain, [&](std::size_t i) {
+      starts[i] = !mesh.copies[i].dropped && bounds(static_cast<std::uint32_t>(i));
+    });
     for (std::uint32_t i = 0; i < mesh.copies.size(); ++i)
-      if (!mesh.copies[i].dropped && bounds(i)) open.emplace(wayOf(i), i);
+      if (starts[i] != 0) open.emplace(wayOf(i), i);
   } else {
     for (const std::uint32_t i : from)
       if (!mesh.copies[i].dropped) open.emplace(wayOf(i), i);

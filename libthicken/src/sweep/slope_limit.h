@@ -27,6 +27,6 @@ struct CopyGraph {
 /// starting from the copies `from` (their depths are taken as they are; empty: from all). Returns the
 /// copies that it lowered, ascending.
 std::vector<std::uint32_t> limitSlope(SweptMesh& mesh, const CopyGraph& graph,
-                                      std::span<const std::uint32_t> from);
+                                      std::span<const std::uint32_t> from, int threads = 1);
 
 }  // namespace thicken

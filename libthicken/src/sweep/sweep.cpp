@@ -140,10 +140,10 @@ Settled settle(SweptMesh& mesh, const VertexTriangles& around, const RunContext&
   int repeats = 0;
   for (int refills = 0;; ++refills) {
     const CopyGraph graph = copyGraph(mesh, threads);
-    limitSlope(mesh, graph, {});
+    limitSlope(mesh, graph, {}, threads);
     if (refills == 0)
       for (std::size_t i = 0; i < goal.size(); ++i) goal[i] = mesh.copies[i].depth;
-    for (std::size_t i = 0; i < mesh.copies.size(); ++i) mesh.place(i);
+    parallelFor(mesh.copies.size(), threads, context, 4096, [&](std::size_t i) { mesh.place(i); });
     ConflictTester tester(mesh, context, threads);
     const RetreatResult result = retreat(mesh, graph, tester, context);
     rounds += result.rounds;
@@ -255,7 +255,7 @@ SweepResult sweep(const TriangleMesh& surface, const ClosestPointTree& tree, dou
   const auto unserved = splitCopies(mesh, normal, around, thickness, copiesWithoutDirection(mesh));
   dropOrThrow(mesh, around, unserved);
   setInitialDepths(mesh, tree, context, threads);
-  for (std::size_t i = 0; i < mesh.copies.size(); ++i) mesh.place(i);
+  parallelFor(mesh.copies.size(), threads, context, 4096, [&](std::size_t i) { mesh.place(i); });
   if (polishing == Polish::kYes) polish(mesh, tree, context, threads);
   Settled settled = settle(mesh, around, context, threads);
   SweepResult result = finish(mesh, tree, side, context, threads);
