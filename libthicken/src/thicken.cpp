@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <numeric>
 #include <utility>
 
@@ -237,52 +236,21 @@ Solid provedSolid(const TriangleMesh& surface, const TriangleMesh& oriented, con
   return solid;
 }
 
-// Cells are chosen for the error that they have nearly everywhere. Where a crease is off by more, cells for a
-// smaller error are tried: each time for a third, until the shell is proved to be within what was asked for.
-// At creases errors go with the width of the cells, so that what is far off is not tried again.
-Solid solidWithin(double tolerance, const std::function<Solid(double planned)>& make,
-                  const std::function<ErrorBound(const Solid&)>& prove, int attempts) {
-  constexpr double kFiner = 1.0 / 3, kHopeless = 3;
-  std::optional<ErrorBound> least;
-  double planned = tolerance;
-  for (int i = 0; i < attempts; ++i, planned *= kFiner) {
-    try {
-      Solid solid = make(planned);
-      const ErrorBound bound = prove(solid);
-      solid.report.shellErrorBound = bound.most;
-      if (bound.most <= tolerance) return solid;
-      if (!least || bound.most < least->most) least = bound;
-      if (bound.most > kHopeless * tolerance) break;
-    } catch (const Error& e) {
-      if (!least || !leavesTheSweep(e)) throw;
-    }
-  }
-  refuseTolerance(*least, tolerance);
-}
-
 // The solid of a valid surface.
 Solid solidOf(const TriangleMesh& surface, const SurfaceFacts& input, const Options& options,
               const RunContext& context, int threads, Stopwatch& watch) {
-  constexpr int kMostAttempts = 3;
   const TriangleMesh oriented = orientedFor(options.side, surface);
   const ClosestPointTree tree(oriented, threads);
   watch.lap("tree");
   if (!options.tolerance)
     return provedSolid(surface, oriented, tree, input, options, context, threads, watch);
-  const auto make = [&](double planned) {
-    Options finer = options;
-    finer.tolerance = planned;
-    return provedSolid(surface, oriented, tree, input, finer, context, threads, watch);
-  };
-  const auto prove = [&](const Solid& solid) {
-    const ErrorBound bound = boundShellError(solid.mesh, solid.region, tree, options.thickness, options.side,
-                                             *options.tolerance, context, threads);
-    watch.lap("tolerance");
-    return bound;
-  };
-  // A sweep has no cells.
-  const bool contoured = options.method != Method::kSweep && options.side != Side::kBoth;
-  return solidWithin(*options.tolerance, make, prove, contoured ? kMostAttempts : 1);
+  Solid solid = provedSolid(surface, oriented, tree, input, options, context, threads, watch);
+  const ErrorBound bound = boundShellError(solid.mesh, solid.region, tree, options.thickness, options.side,
+                                           *options.tolerance, context, threads);
+  watch.lap("tolerance");
+  if (bound.most > *options.tolerance) refuseTolerance(bound, *options.tolerance);
+  solid.report.shellErrorBound = bound.most;
+  return solid;
 }
 
 // The vertices that a failed run names as those without room; none for other failures.

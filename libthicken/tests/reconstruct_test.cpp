@@ -218,23 +218,38 @@ TEST(Auto, TakesWiderCellsWhereTheLimitAsksForThem) {
   EXPECT_LE(lean.report.predictedMemory, context.memoryLimit());
 }
 
-// Pleats whose sheets come together at an angle that no cell can tell apart near the fold.
-TriangleMesh pleats() {
-  return shapes::parametric(24, 6, [](double u, double v) {
-    const double x = 6 * u;
-    return Vec3(0.4 * x, 3 * v, 3 * std::abs(x - 2 * std::round(x / 2)));
+// Pleats of a height of 3: sheets come together at an angle that no cell can tell apart near the fold.
+TriangleMesh pleats(VertexId columns, VertexId rows, double length, double slope) {
+  return shapes::parametric(columns, rows, [=](double u, double v) {
+    const double x = length * u;
+    return Vec3(slope * x, 3 * v, 3 * std::abs(x - 2 * std::round(x / 2)));
   });
 }
 
 TEST(Reconstruct, TakesFinerCellsOnlyWhereSheetsAreTooClose) {
   Options o;
   o.thickness = 1;
-  const Solid solid = thicken(pleats(), o);
+  const TriangleMesh sharp = pleats(24, 6, 6, 0.4);
+  const Solid solid = thicken(sharp, o);
   EXPECT_LT(solid.report.finestCell, 0.6 * solid.report.cell);
   o.cell = solid.report.finestCell;
-  const Solid fine = thicken(pleats(), o);
+  const Solid fine = thicken(sharp, o);
   EXPECT_LT(solid.report.triangles, fine.report.triangles / 2);
   EXPECT_NEAR(solid.report.volume, fine.report.volume, 0.002 * fine.report.volume);
+}
+
+TEST(Reconstruct, KeepsATightToleranceByFinerCellsAtCreases) {
+  const TriangleMesh blunt = pleats(12, 4, 4, 1);
+  Options o;
+  o.thickness = 0.3;
+  const Solid loose = thicken(blunt, o);
+  EXPECT_EQ(loose.report.finestCell, loose.report.cell);
+  o.tolerance = 0.03 * o.thickness;
+  EXPECT_GT(loose.report.shellError.max * o.thickness, *o.tolerance) << "nothing is to be done";
+  const Solid tight = thicken(blunt, o);
+  EXPECT_LE(tight.report.shellErrorBound, *o.tolerance);
+  EXPECT_LT(tight.report.finestCell, 0.6 * tight.report.cell);
+  EXPECT_LT(tight.report.triangles, 1.2 * static_cast<double>(loose.report.triangles));
 }
 
 TriangleMesh row(VertexId count) {
@@ -247,7 +262,7 @@ TEST(FinerParts, AreSeparatedFromTheRestAFewTrianglesAway) {
   std::vector<std::uint8_t> left(region.size(), 0);
   region[11] = Region::kWall;
   left[8] = left[9] = 1;
-  const auto keep = keptAroundLeft(mesh, region, left);
+  const auto keep = keptAround(mesh, region, left);
   for (std::size_t t = 0; t < keep.size(); ++t) EXPECT_EQ(keep[t] == 0, t >= 4 && t < 14 && t != 11) << t;
 }
 

@@ -268,35 +268,54 @@ double roundingOf(const TriangleMesh& mesh, std::span<const TriangleId> shell, d
   return kOfCoordinates * 2 * largest + kOfParallels * longest2 / r;
 }
 
+// The shell's triangles with what S is like from their corners, and the proof for them.
+struct ShellToProve {
+  std::vector<TriangleId> triangles;
+  std::vector<Corner> corner;  // per vertex of the solid
+  ShellProof proof;
+
+  ShellToProve(const TriangleMesh& solid, std::span<const Region> region, const ClosestPointTree& tree,
+               double r, Side side, double tolerance, const RunContext& context, int threads)
+      : triangles(shellOf(region)),
+        corner(solid.positions.size()),
+        proof(tree, r, side, tolerance, roundingOf(solid, triangles, r)) {
+    std::vector<std::uint8_t> onShell(corner.size(), 0);
+    for (const TriangleId t : triangles)
+      for (const VertexId v : solid.triangles[t]) onShell[v] = 1;
+    parallelFor(corner.size(), threads, context, 256, [&](std::size_t v) {
+      if (onShell[v]) corner[v] = proof.cornerAt(solid.positions[v]);
+    });
+    double known = 0;
+    for (std::size_t v = 0; v < corner.size(); ++v)
+      if (const double error = std::abs(corner[v].distance - r); onShell[v] && error <= tolerance)
+        known = std::max(known, error);
+    proof.expect(known);
+  }
+
+  [[nodiscard]] std::array<Corner, 3> cornersOf(const TriangleMesh& solid, std::size_t i) const {
+    const auto& [a, b, c] = solid.triangles[triangles[i]];
+    return {corner[a], corner[b], corner[c]};
+  }
+
+ private:
+  static std::vector<TriangleId> shellOf(std::span<const Region> region) {
+    std::vector<TriangleId> shell;
+    for (TriangleId t = 0; t < region.size(); ++t)
+      if (region[t] == Region::kShell) shell.push_back(t);
+    return shell;
+  }
+};
+
 }  // namespace
 
 ErrorBound boundShellError(const TriangleMesh& solid, std::span<const Region> region,
                            const ClosestPointTree& tree, double r, Side side, double tolerance,
                            const RunContext& context, int threads) {
-  std::vector<TriangleId> shell;
-  std::vector<std::uint8_t> onShell(solid.positions.size(), 0);
-  for (TriangleId t = 0; t < region.size(); ++t) {
-    if (region[t] != Region::kShell) continue;
-    shell.push_back(t);
-    for (const VertexId v : solid.triangles[t]) onShell[v] = 1;
-  }
-  ShellProof proof(tree, r, side, tolerance, roundingOf(solid, shell, r));
-  std::vector<Corner> corner(onShell.size());
-  parallelFor(corner.size(), threads, context, 256, [&](std::size_t v) {
-    if (onShell[v]) corner[v] = proof.cornerAt(solid.positions[v]);
-  });
-  double known = 0;
-  for (std::size_t v = 0; v < corner.size(); ++v)
-    if (const double error = std::abs(corner[v].distance - r); onShell[v] && error <= tolerance)
-      known = std::max(known, error);
-  proof.expect(known);
-
+  const ShellToProve shell(solid, region, tree, r, side, tolerance, context, threads);
   const auto worstOf = [&](const auto& boundOf) {
-    std::vector<ErrorBound> bounds(shell.size());
-    parallelFor(shell.size(), threads, context, 64, [&](std::size_t i) {
-      const auto& [a, b, c] = solid.triangles[shell[i]];
-      bounds[i] = boundOf({corner[a], corner[b], corner[c]});
-    });
+    std::vector<ErrorBound> bounds(shell.triangles.size());
+    parallelFor(bounds.size(), threads, context, 64,
+                [&](std::size_t i) { bounds[i] = boundOf(shell.cornersOf(solid, i)); });
     ErrorBound worst;
     for (const ErrorBound& bound : bounds)
       if (bound.most > worst.most) worst = bound;
@@ -304,9 +323,22 @@ ErrorBound boundShellError(const TriangleMesh& solid, std::span<const Region> re
   };
   // Where a corner is off, there is nothing to prove.
   const ErrorBound off =
-      worstOf([&](const std::array<Corner, 3>& triangle) { return proof.cornerOff(triangle); });
+      worstOf([&](const std::array<Corner, 3>& triangle) { return shell.proof.cornerOff(triangle); });
   if (off.most > tolerance) return off;
-  return worstOf([&](const std::array<Corner, 3>& triangle) { return proof.boundOf(triangle); });
+  return worstOf([&](const std::array<Corner, 3>& triangle) { return shell.proof.boundOf(triangle); });
+}
+
+std::vector<std::uint8_t> shellBeyond(const TriangleMesh& solid, std::span<const Region> region,
+                                      const ClosestPointTree& tree, double r, Side side, double tolerance,
+                                      const RunContext& context, int threads) {
+  const ShellToProve shell(solid, region, tree, r, side, tolerance, context, threads);
+  std::vector<std::uint8_t> beyond(region.size(), 0);
+  parallelFor(shell.triangles.size(), threads, context, 64, [&](std::size_t i) {
+    const std::array<Corner, 3> triangle = shell.cornersOf(solid, i);
+    beyond[shell.triangles[i]] =
+        shell.proof.cornerOff(triangle).most > tolerance || shell.proof.boundOf(triangle).most > tolerance;
+  });
+  return beyond;
 }
 
 }  // namespace thicken

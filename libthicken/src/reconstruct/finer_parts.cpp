@@ -35,16 +35,16 @@ SweepResult asSwept(const Reconstruction& made, const TriangleMesh& surface, con
 
 }  // namespace
 
-std::vector<std::uint8_t> keptAroundLeft(const TriangleMesh& mesh, std::span<const Region> region,
-                                         std::span<const std::uint8_t> left) {
+std::vector<std::uint8_t> keptAround(const TriangleMesh& mesh, std::span<const Region> region,
+                                     std::span<const std::uint8_t> parts) {
   constexpr int kRings = 2;
   std::vector<std::uint8_t> keep(region.size(), 1), near(mesh.positions.size(), 0);
   const auto giveOver = [&](std::size_t t) {
     keep[t] = 0;
     for (const VertexId v : mesh.triangles[t]) near[v] = 1;
   };
-  for (std::size_t t = 0; t < left.size(); ++t)
-    if (left[t]) giveOver(t);
+  for (std::size_t t = 0; t < parts.size(); ++t)
+    if (parts[t]) giveOver(t);
   for (int ring = 0; ring < kRings; ++ring) {
     std::vector<std::size_t> next;
     for (std::size_t t = 0; t < keep.size(); ++t)
@@ -57,34 +57,45 @@ std::vector<std::uint8_t> keptAroundLeft(const TriangleMesh& mesh, std::span<con
   return keep;
 }
 
+std::optional<Reconstruction> contouredAgain(const Reconstruction& made, const FinerParts& parts,
+                                             const TriangleMesh& surface, const ClosestPointTree& tree,
+                                             const Options& options, const RunContext& context, int threads,
+                                             Stopwatch& watch) {
+  const SweepResult swept = asSwept(made, surface, tree, context, threads);
+  ContourTask task;
+  task.keep = keptAround(made.mesh, made.region, parts.triangles);
+  task.area = openArea(swept, task.keep);
+  task.width = parts.width;
+  if (!parts.isAllowed(task.width, task.area)) return std::nullopt;
+  task.crossings = mostCrossings(task.area, task.width);
+  task.working = requireRoomForField(surface, task.crossings, options.thickness, task.width, context);
+  task.mayKeepShell = parts.mayKeepShell;
+  task.left = made.left;
+  task.left.resize(made.region.size(), 0);
+  auto finer = complete(surface, tree, swept, std::move(task), options, context, threads, watch);
+  if (!finer) return std::nullopt;
+  finer->rounds += made.rounds;
+  finer->cells += made.cells;
+  finer->nodes += made.nodes;
+  finer->predicted = std::max(finer->predicted, made.predicted);
+  finer->shellArea = made.shellArea;
+  finer->cell = made.cell;
+  finer->finest = std::min(finer->finest, made.finest);
+  return finer;
+}
+
 Reconstruction withFinerParts(Reconstruction made, const TriangleMesh& surface, const ClosestPointTree& tree,
-                              const Options& options,
-                              const std::function<bool(double width, double area)>& isAllowed,
-                              const RunContext& context, int threads, Stopwatch& watch) {
+                              const Options& options, const AllowsCells& isAllowed, const RunContext& context,
+                              int threads, Stopwatch& watch) {
   constexpr double kFiner = 0.6, kLittle = 1e-3;  // of the width; of the shell
   constexpr int kMostTimes = 3;
   double width = made.cell;
   for (int i = 0; i < kMostTimes && made.leftArea > kLittle * made.shellArea; ++i) {
     width *= kFiner;
-    const SweepResult swept = asSwept(made, surface, tree, context, threads);
-    ContourTask task;
-    task.keep = keptAroundLeft(made.mesh, made.region, made.left);
-    task.area = openArea(swept, task.keep);
-    task.width = width;
-    if (!isAllowed(width, task.area)) break;
-    task.crossings = mostCrossings(task.area, width);
-    task.working = requireRoomForField(surface, task.crossings, options.thickness, width, context);
-    task.mayKeepShell = true;
-    task.left = made.left;
-    Reconstruction finer = *complete(surface, tree, swept, std::move(task), options, context, threads, watch);
-    finer.rounds += made.rounds;
-    finer.cells += made.cells;
-    finer.nodes += made.nodes;
-    finer.predicted = std::max(finer.predicted, made.predicted);
-    finer.shellArea = made.shellArea;
-    finer.cell = made.cell;
-    finer.finest = std::min(finer.finest, made.finest);
-    if (finer.leftArea < made.leftArea) made = std::move(finer);
+    auto finer = contouredAgain(made, {made.left, width, true, isAllowed}, surface, tree, options, context,
+                                threads, watch);
+    if (!finer) break;
+    if (finer->leftArea < made.leftArea) made = *std::move(finer);
   }
   return made;
 }

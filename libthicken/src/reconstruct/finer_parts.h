@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Where sheets are too close for the cells, the carrier is given more and more of the sweep's shell, which
-// may be far too thin. Finer cells may tell the sheets apart there; elsewhere they are not needed.
+// Parts of a solid that was made are contoured once more, in finer cells; all else is the carrier for them.
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,17 +13,35 @@
 
 namespace thicken {
 
-/// Contours the parts that `made` left to the sweep once more, in finer and finer cells, as long as
-/// `isAllowed` agrees to cells of `width` mm over `area` mm². The rest of `made` is the carrier for it.
+/// Whether cells of `width` mm may be taken for `area` mm².
+using AllowsCells = std::function<bool(double width, double area)>;
+
+struct FinerParts {
+  std::span<const std::uint8_t> triangles;  ///< per triangle of the solid: is to be made again
+  double width = 0;                         ///< of the cells, mm
+  bool mayKeepShell = false;                ///< ContourTask
+  AllowsCells isAllowed;
+};
+
+/// `made` with `parts` of its shell, and a few triangles around them, contoured again; nothing where that
+/// takes more cells than allowed, or cannot be joined.
+[[nodiscard]] std::optional<Reconstruction> contouredAgain(const Reconstruction& made,
+                                                           const FinerParts& parts,
+                                                           const TriangleMesh& surface,
+                                                           const ClosestPointTree& tree,
+                                                           const Options& options, const RunContext& context,
+                                                           int threads, Stopwatch& watch);
+
+/// Where sheets are too close for the cells, the carrier may have been given the sweep's shell, which may be
+/// far too thin: `made` with these parts in finer and finer cells.
 [[nodiscard]] Reconstruction withFinerParts(Reconstruction made, const TriangleMesh& surface,
                                             const ClosestPointTree& tree, const Options& options,
-                                            const std::function<bool(double width, double area)>& isAllowed,
-                                            const RunContext& context, int threads, Stopwatch& watch);
+                                            const AllowsCells& isAllowed, const RunContext& context,
+                                            int threads, Stopwatch& watch);
 
-/// The triangles of `made` outside of what it left to the sweep, of its shell also outside of two rings of
-/// triangles around that: a seam in the ragged border of what could not be made would be as hard to make.
-[[nodiscard]] std::vector<std::uint8_t> keptAroundLeft(const TriangleMesh& mesh,
-                                                       std::span<const Region> region,
-                                                       std::span<const std::uint8_t> left);
+/// The triangles of a solid but for `parts`, and two rings of its shell around them: a seam in the ragged
+/// border of what could not be made well would be as hard to make.
+[[nodiscard]] std::vector<std::uint8_t> keptAround(const TriangleMesh& mesh, std::span<const Region> region,
+                                                   std::span<const std::uint8_t> parts);
 
 }  // namespace thicken

@@ -9,6 +9,7 @@
 #include "reconstruct/complete.h"
 #include "reconstruct/finer_parts.h"
 #include "reconstruct/shell_plan.h"
+#include "reconstruct/tolerable.h"
 #include "sweep/sweep.h"
 #include "sweep/sweep_walls.h"
 
@@ -23,13 +24,20 @@ struct WholeShell {
 };
 
 // Whether cells of a width may be tried where wider ones did not do.
-std::function<bool(double, double)> finerCells(const TriangleMesh& surface, const Options& options,
-                                               const RunContext& context) {
+AllowsCells finerCells(const TriangleMesh& surface, const Options& options, const RunContext& context) {
   return [&](double width, double area) {
     constexpr double kMostCells = 1e5;
     return !options.cell && !options.resolution && area <= kMostCells * width * width &&
            !workingSetFor(mostCrossings(area, width), heldBytes(surface), context).isLean;
   };
+}
+
+// With finer cells where the sweep was left, and where the tolerance is not kept.
+Reconstruction refined(Reconstruction made, const TriangleMesh& surface, const ClosestPointTree& tree,
+                       const Options& options, const RunContext& context, int threads, Stopwatch& watch) {
+  const AllowsCells isAllowed = finerCells(surface, options, context);
+  made = withFinerParts(std::move(made), surface, tree, options, isAllowed, context, threads, watch);
+  return withinTolerance(std::move(made), surface, tree, options, isAllowed, context, threads, watch);
 }
 
 // The solid with no shell but the contour's.
@@ -55,10 +63,10 @@ Reconstruction wholeContour(const TriangleMesh& surface, const ClosestPointTree&
   const WorkingSet working = roomFor(shell.width);
   // Most surfaces need no more of the sweep than its walls.
   if (const auto walls = sweepWalls(surface, tree, options.thickness, context, threads))
-    if (auto made = below(*walls, shell.width, working)) return *std::move(made);
+    if (auto made = below(*walls, shell.width, working))
+      return refined(*std::move(made), surface, tree, options, context, threads, watch);
   const SweepResult& all = swept();
-  return withFinerParts(*below(all, shell.width, working), surface, tree, options,
-                        finerCells(surface, options, context), context, threads, watch);
+  return refined(*below(all, shell.width, working), surface, tree, options, context, threads, watch);
 }
 
 }  // namespace
@@ -96,8 +104,7 @@ std::optional<Reconstruction> deepen(const TriangleMesh& surface, const ClosestP
     Reconstruction made = *complete(surface, tree, swept,
                                     {std::move(plan.keep), plan.area, plan.width, crossings, working, true},
                                     options, context, threads, watch);
-    return withFinerParts(std::move(made), surface, tree, options, finerCells(surface, options, context),
-                          context, threads, watch);
+    return refined(std::move(made), surface, tree, options, context, threads, watch);
   }
   const auto asMade = [&]() -> const SweepResult& { return swept; };
   return wholeContour(surface, tree, asMade, shell, options, context, threads, watch);
