@@ -93,8 +93,7 @@ bool Attempt::liftWalls(std::span<const TriangleId> meeting) {
   return walls_.lift(ids, kLift * width_);
 }
 
-// Triangles of the contour on edges that more than two share: where the rim circles around an edge of the
-// grid, strips on either side of a vertex may use the same edge.
+// Where the rim circles around an edge of the grid, strips on either side of a vertex may use the same edge.
 std::vector<TriangleId> Attempt::crowdedTriangles() const {
   std::vector<TriangleId> crowded;
   edgesAtStrip(assembly_, threads_).forEachEdge([&](VertexId, VertexId, auto forth, auto back) {

@@ -30,6 +30,8 @@ class Attempt {
   bool liftWalls(std::span<const TriangleId> meeting);
 
   [[nodiscard]] const Assembly& assembly() const { return assembly_; }
+  /// Triangles of the contour on edges that more than two share, ascending.
+  [[nodiscard]] std::vector<TriangleId> crowdedTriangles() const;
   /// Takes it, when no more attempts are to follow.
   [[nodiscard]] Assembly takeAssembly() { return std::move(assembly_); }
   /// The carrier as it was before its walls were drawn back with the contour; without triangles.
@@ -37,7 +39,6 @@ class Attempt {
   [[nodiscard]] const NodeField& field() const { return contourer_.field(); }
 
  private:
-  [[nodiscard]] std::vector<TriangleId> crowdedTriangles() const;
   [[nodiscard]] Vec3 pushedToShell(Vec3 p) const;
   [[nodiscard]] Seeds openShell(std::span<const std::uint8_t> keep) const;
 

@@ -139,7 +139,11 @@ std::optional<Holes> holesOf(const TriangleMesh& surface, const SweepResult& swe
   carried.up.resize(made.mesh.positions.size(), Vec3::Zero());
   carried.mesh = std::move(made.mesh);
   carried.region = std::move(made.region);
-  if (!Cutter(holes, attempt.carrier().mesh.positions, context, threads).cut(meeting)) return std::nullopt;
+  // Where triangles meet, edges are not looked at before.
+  std::vector<TriangleId> bad = attempt.crowdedTriangles();
+  bad.insert(bad.end(), meeting.begin(), meeting.end());
+  sortUnique(bad);
+  if (!Cutter(holes, attempt.carrier().mesh.positions, context, threads).cut(bad)) return std::nullopt;
   return holes;
 }
 
