@@ -7,8 +7,8 @@
 
 #include "analytic_surfaces.h"
 #include "plain_shapes.h"
+#include "reconstruct/cut_around.h"
 #include "reconstruct/diagonals.h"
-#include "reconstruct/finer_parts.h"
 #include "reconstruct/strip_region.h"
 #include "reconstruct/working_set.h"
 #include "thicken/error.h"
@@ -256,13 +256,12 @@ TriangleMesh row(VertexId count) {
   return shapes::parametric(count, 1, [=](double u, double v) { return Vec3(count * u, v, 0); });
 }
 
-TEST(FinerParts, AreSeparatedFromTheRestAFewTrianglesAway) {
+TEST(CutAround, TakesRingsOfWhatIsOpenable) {
   const TriangleMesh mesh = row(10);
-  std::vector<Region> region(mesh.triangles.size(), Region::kShell);
-  std::vector<std::uint8_t> left(region.size(), 0);
-  region[11] = Region::kWall;
-  left[8] = left[9] = 1;
-  const auto keep = keptAround(mesh, region, left);
+  std::vector<std::uint8_t> keep(mesh.triangles.size(), 1), openable(keep);
+  openable[11] = 0;
+  const std::vector<TriangleId> cut{8, 9};
+  cutAround(mesh, cut, openable, 2, keep);
   for (std::size_t t = 0; t < keep.size(); ++t) EXPECT_EQ(keep[t] == 0, t >= 4 && t < 14 && t != 11) << t;
 }
 

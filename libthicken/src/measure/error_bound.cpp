@@ -328,16 +328,19 @@ ErrorBound boundShellError(const TriangleMesh& solid, std::span<const Region> re
   return worstOf([&](const std::array<Corner, 3>& triangle) { return shell.proof.boundOf(triangle); });
 }
 
-std::vector<std::uint8_t> shellBeyond(const TriangleMesh& solid, std::span<const Region> region,
-                                      const ClosestPointTree& tree, double r, Side side, double tolerance,
-                                      const RunContext& context, int threads) {
+std::vector<TriangleId> shellBeyond(const TriangleMesh& solid, std::span<const Region> region,
+                                    const ClosestPointTree& tree, double r, Side side, double tolerance,
+                                    const RunContext& context, int threads) {
   const ShellToProve shell(solid, region, tree, r, side, tolerance, context, threads);
-  std::vector<std::uint8_t> beyond(region.size(), 0);
-  parallelFor(shell.triangles.size(), threads, context, 64, [&](std::size_t i) {
+  std::vector<std::uint8_t> isBeyond(shell.triangles.size(), 0);
+  parallelFor(isBeyond.size(), threads, context, 64, [&](std::size_t i) {
     const std::array<Corner, 3> triangle = shell.cornersOf(solid, i);
-    beyond[shell.triangles[i]] =
+    isBeyond[i] =
         shell.proof.cornerOff(triangle).most > tolerance || shell.proof.boundOf(triangle).most > tolerance;
   });
+  std::vector<TriangleId> beyond;
+  for (std::size_t i = 0; i < isBeyond.size(); ++i)
+    if (isBeyond[i]) beyond.push_back(shell.triangles[i]);
   return beyond;
 }
 

@@ -15,7 +15,6 @@
 // cross-section's (Remark 4).
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -31,10 +30,10 @@ struct ErrorBound {
   Vec3 place = Vec3::Zero();  ///< mm, where that is
 };
 
-/// The triangles of the shell for which boundShellError() finds more than `tolerance`, as flags per triangle.
-[[nodiscard]] std::vector<std::uint8_t> shellBeyond(const TriangleMesh& solid, std::span<const Region> region,
-                                                    const ClosestPointTree& tree, double r, Side side,
-                                                    double tolerance, const RunContext& context, int threads);
+/// The triangles of the shell for which boundShellError() finds more than `tolerance`, ascending.
+[[nodiscard]] std::vector<TriangleId> shellBeyond(const TriangleMesh& solid, std::span<const Region> region,
+                                                  const ClosestPointTree& tree, double r, Side side,
+                                                  double tolerance, const RunContext& context, int threads);
 
 /// The bound for the shell of a valid solid of thickness `r` on the negative side of the surface of `tree`,
 /// or on both. `most` is above `tolerance` (mm) only where that could not be proved; then it is how far off

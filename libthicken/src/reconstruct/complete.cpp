@@ -190,12 +190,6 @@ std::size_t predictedBytes(const ContourTask& task, const TriangleMesh& surface,
   return task.working.isLean ? std::min(most, context.memoryLimit()) : most;
 }
 
-std::vector<std::uint8_t> shellOf(const SweepResult& swept) {
-  std::vector<std::uint8_t> is(swept.region.size());
-  for (std::size_t t = 0; t < is.size(); ++t) is[t] = swept.region[t] == Region::kShell;
-  return is;
-}
-
 // What an attempt could not make, in finer cells: the rest of it is the carrier for that. Nothing where even
 // the finest ones that are tried do not do.
 std::optional<Reconstruction> closedFiner(const TriangleMesh& surface, const ClosestPointTree& tree,
@@ -231,6 +225,12 @@ std::optional<Reconstruction> closedFiner(const TriangleMesh& surface, const Clo
 }
 
 }  // namespace
+
+std::vector<std::uint8_t> shellOf(const SweepResult& swept) {
+  std::vector<std::uint8_t> is(swept.region.size());
+  for (std::size_t t = 0; t < is.size(); ++t) is[t] = swept.region[t] == Region::kShell;
+  return is;
+}
 
 std::optional<Reconstruction> complete(const TriangleMesh& surface, const ClosestPointTree& tree,
                                        const SweepResult& swept, ContourTask task, const Options& options,

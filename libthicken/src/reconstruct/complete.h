@@ -23,6 +23,9 @@ struct ContourTask {
   int refined = 0;                   ///< times that finer cells were taken
 };
 
+/// The triangles of the shell, as flags per triangle of the sweep.
+[[nodiscard]] std::vector<std::uint8_t> shellOf(const SweepResult& swept);
+
 /// The solid of a carrier that is `task.keep` of `swept`; nullopt where it would need more of the sweep's
 /// shell and must not have it. Throws kNoSolid where not even the whole sweep is clear of itself, kCancelled.
 [[nodiscard]] std::optional<Reconstruction> complete(const TriangleMesh& surface,

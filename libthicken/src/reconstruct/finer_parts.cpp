@@ -7,6 +7,7 @@
 #include "mesh/topology.h"
 #include "parallel_for.h"
 #include "reconstruct/complete.h"
+#include "reconstruct/cut_around.h"
 #include "reconstruct/shell_plan.h"
 
 namespace thicken {
@@ -33,37 +34,24 @@ SweepResult asSwept(const Reconstruction& made, const TriangleMesh& surface, con
   return swept;
 }
 
-}  // namespace
-
-std::vector<std::uint8_t> keptAround(const TriangleMesh& mesh, std::span<const Region> region,
-                                     std::span<const std::uint8_t> parts) {
-  constexpr int kRings = 2;
-  std::vector<std::uint8_t> keep(region.size(), 1), near(mesh.positions.size(), 0);
-  const auto giveOver = [&](std::size_t t) {
-    keep[t] = 0;
-    for (const VertexId v : mesh.triangles[t]) near[v] = 1;
-  };
-  for (std::size_t t = 0; t < parts.size(); ++t)
-    if (parts[t]) giveOver(t);
-  for (int ring = 0; ring < kRings; ++ring) {
-    std::vector<std::size_t> next;
-    for (std::size_t t = 0; t < keep.size(); ++t)
-      if (keep[t] && region[t] == Region::kShell &&
-          std::any_of(mesh.triangles[t].begin(), mesh.triangles[t].end(),
-                      [&](VertexId v) { return near[v]; }))
-        next.push_back(t);
-    for (const std::size_t t : next) giveOver(t);
-  }
-  return keep;
+std::vector<TriangleId> leftOf(const Reconstruction& made) {
+  std::vector<TriangleId> ids;
+  for (TriangleId t = 0; t < made.left.size(); ++t)
+    if (made.left[t]) ids.push_back(t);
+  return ids;
 }
+
+}  // namespace
 
 std::optional<Reconstruction> contouredAgain(const Reconstruction& made, const FinerParts& parts,
                                              const TriangleMesh& surface, const ClosestPointTree& tree,
                                              const Options& options, const RunContext& context, int threads,
                                              Stopwatch& watch) {
+  constexpr int kRings = 2;
   const SweepResult swept = asSwept(made, surface, tree, context, threads);
   ContourTask task;
-  task.keep = keptAround(made.mesh, made.region, parts.triangles);
+  task.keep.assign(made.region.size(), 1);
+  cutAround(made.mesh, parts.triangles, shellOf(swept), kRings, task.keep);
   task.area = openArea(swept, task.keep);
   task.width = parts.width;
   if (!parts.isAllowed(task.width, task.area)) return std::nullopt;
@@ -92,7 +80,7 @@ Reconstruction withFinerParts(Reconstruction made, const TriangleMesh& surface, 
   double width = made.cell;
   for (int i = 0; i < kMostTimes && made.leftArea > kLittle * made.shellArea; ++i) {
     width *= kFiner;
-    auto finer = contouredAgain(made, {made.left, width, true, isAllowed}, surface, tree, options, context,
+    auto finer = contouredAgain(made, {leftOf(made), width, true, isAllowed}, surface, tree, options, context,
                                 threads, watch);
     if (!finer) break;
     if (finer->leftArea < made.leftArea) made = *std::move(finer);

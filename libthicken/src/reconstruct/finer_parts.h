@@ -17,9 +17,9 @@ namespace thicken {
 using AllowsCells = std::function<bool(double width, double area)>;
 
 struct FinerParts {
-  std::span<const std::uint8_t> triangles;  ///< per triangle of the solid: is to be made again
-  double width = 0;                         ///< of the cells, mm
-  bool mayKeepShell = false;                ///< ContourTask
+  std::span<const TriangleId> triangles;  ///< of the solid's shell, to be made again
+  double width = 0;                       ///< of the cells, mm
+  bool mayKeepShell = false;              ///< ContourTask
   AllowsCells isAllowed;
 };
 
@@ -38,10 +38,5 @@ struct FinerParts {
                                             const ClosestPointTree& tree, const Options& options,
                                             const AllowsCells& isAllowed, const RunContext& context,
                                             int threads, Stopwatch& watch);
-
-/// The triangles of a solid but for `parts`, and two rings of its shell around them: a seam in the ragged
-/// border of what could not be made well would be as hard to make.
-[[nodiscard]] std::vector<std::uint8_t> keptAround(const TriangleMesh& mesh, std::span<const Region> region,
-                                                   std::span<const std::uint8_t> parts);
 
 }  // namespace thicken

@@ -8,36 +8,12 @@
 #include "exact/predicates.h"
 #include "mesh/sort_unique.h"
 #include "mesh/topology.h"
+#include "reconstruct/cut_around.h"
 #include "reconstruct/strip_region.h"
 
 namespace thicken {
 
 namespace {
-
-// Takes what is openable around the triangles out of `keep`.
-void cutAround(const TriangleMesh& mesh, std::span<const TriangleId> triangles,
-               std::span<const std::uint8_t> openable, std::vector<std::uint8_t>& keep) {
-  constexpr int kRings = 3;
-  std::vector<std::uint8_t> near(mesh.positions.size(), 0);
-  const auto reach = [&](TriangleId t) {
-    for (const VertexId v : mesh.triangles[t]) near[v] = 1;
-  };
-  for (const TriangleId t : triangles) {
-    if (openable[t]) keep[t] = 0;
-    reach(t);
-  }
-  for (int ring = 0; ring < kRings; ++ring) {
-    std::vector<TriangleId> next;
-    for (TriangleId t = 0; t < keep.size(); ++t)
-      if (keep[t] && openable[t] &&
-          std::any_of(mesh.triangles[t].begin(), mesh.triangles[t].end(), [&](VertexId v) { return near[v]; }))
-        next.push_back(t);
-    for (const TriangleId t : next) {
-      keep[t] = 0;
-      reach(t);
-    }
-  }
-}
 
 bool anyFlat(const TriangleMesh& mesh, std::span<const TriangleId> triangles) {
   return std::any_of(triangles.begin(), triangles.end(), [&](TriangleId t) {
@@ -54,10 +30,10 @@ class Cutter {
       : holes_(holes), mesh_(holes.carried.mesh), start_(start), context_(context), threads_(threads) {}
 
   bool cut(std::span<const TriangleId> meeting) {
-    constexpr int kMostTimes = 8;
+    constexpr int kMostTimes = 8, kRings = 3;
     std::vector<TriangleId> bad(meeting.begin(), meeting.end());
     for (int i = 0; i < kMostTimes; ++i) {
-      cutAround(mesh_, bad, holes_.openable, holes_.keep);
+      cutAround(mesh_, bad, holes_.openable, kRings, holes_.keep);
       std::erase_if(bad, [this](TriangleId t) { return holes_.openable[t] != 0; });
       if (bad.empty()) return true;
       putBack(bad);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "reconstruct/tolerable.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "measure/error_bound.h"
@@ -17,11 +16,10 @@ Reconstruction withinTolerance(Reconstruction made, const TriangleMesh& surface,
   if (!options.tolerance) return made;
   double width = made.cell;
   for (int i = 0, failures = 0; i < kMostTimes && failures < kMostFailures; ++i) {
-    const std::vector<std::uint8_t> beyond =
-        shellBeyond(made.mesh, made.region, tree, options.thickness, Side::kNegative, *options.tolerance,
-                    context, threads);
+    const std::vector<TriangleId> beyond = shellBeyond(made.mesh, made.region, tree, options.thickness,
+                                                       Side::kNegative, *options.tolerance, context, threads);
     watch.lap("tolerance");
-    if (std::find(beyond.begin(), beyond.end(), 1) == beyond.end()) break;
+    if (beyond.empty()) break;
     // What cannot be joined in cells of one width may be in finer ones.
     if (auto finer = contouredAgain(made, {beyond, width *= kFiner, false, isAllowed}, surface, tree, options,
                                     context, threads, watch))

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "thicken/mesh.h"
+
+namespace thicken {
+
+/// Takes `triangles` and so many rings of triangles around them out of `keep`, as far as they are `openable`:
+/// a seam in the ragged border of what could not be made well would be as hard to make.
+void cutAround(const TriangleMesh& mesh, std::span<const TriangleId> triangles,
+               std::span<const std::uint8_t> openable, int rings, std::vector<std::uint8_t>& keep);
+
+}  // namespace thicken
