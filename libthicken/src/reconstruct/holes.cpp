@@ -22,8 +22,8 @@ bool anyFlat(const TriangleMesh& mesh, std::span<const TriangleId> triangles) {
   });
 }
 
-// Cuts holes until what is kept of a boundary is clear of itself. Walls that stand where they were drawn back to
-// go back where they stood, all clear of each other.
+// Cuts holes until what is kept of a boundary is clear of itself. Walls that stand where they were drawn back
+// to go back where they stood, all clear of each other.
 class Cutter {
  public:
   Cutter(Holes& holes, std::span<const Vec3> start, const RunContext& context, int threads)
@@ -89,7 +89,8 @@ class Cutter {
 }  // namespace
 
 std::optional<Holes> holesOf(const TriangleMesh& surface, const SweepResult& swept, const Attempt& attempt,
-                             const ContourTask& task, std::span<const TriangleId> meeting, const RunContext& context, int threads) {
+                             const ContourTask& task, std::span<const TriangleId> meeting,
+                             const RunContext& context, int threads) {
   Assembly made = attempt.assembly();
   labelStrip(made, threads);
   Holes holes;

@@ -45,28 +45,25 @@ Reconstruction wholeContour(const TriangleMesh& surface, const ClosestPointTree&
                             const std::function<const SweepResult&()>& swept, const WholeShell& shell,
                             const Options& options, const RunContext& context, int threads,
                             Stopwatch& watch) {
-  const auto below = [&](const SweepResult& walls, double width, const WorkingSet& working) {
+  const std::size_t crossings = mostShellCrossings(shell.shadows, shell.width);
+  const WorkingSet working = requireRoomForField(surface, crossings, options.thickness, shell.width, context);
+  const auto below = [&](const SweepResult& walls) {
     watch.lap("sweep");
     ContourTask task{std::vector<std::uint8_t>(walls.mesh.triangles.size()),
                      shell.area,
-                     width,
-                     mostShellCrossings(shell.shadows, width),
+                     shell.width,
+                     crossings,
                      working,
                      walls.shellProved};
     for (std::size_t t = 0; t < task.keep.size(); ++t) task.keep[t] = walls.region[t] != Region::kShell;
     return complete(surface, tree, walls, std::move(task), options, context, threads, watch);
   };
-  const auto roomFor = [&](double width) {
-    return requireRoomForField(surface, mostShellCrossings(shell.shadows, width), options.thickness, width,
-                               context);
-  };
-  const WorkingSet working = roomFor(shell.width);
   // Most surfaces need no more of the sweep than its walls.
   if (const auto walls = sweepWalls(surface, tree, options.thickness, context, threads))
-    if (auto made = below(*walls, shell.width, working))
+    if (auto made = below(*walls))
       return refined(*std::move(made), surface, tree, options, context, threads, watch);
   const SweepResult& all = swept();
-  return refined(*below(all, shell.width, working), surface, tree, options, context, threads, watch);
+  return refined(*below(all), surface, tree, options, context, threads, watch);
 }
 
 }  // namespace
