@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
 
 #include "analytic_surfaces.h"
 #include "plain_shapes.h"
@@ -250,6 +251,19 @@ TEST(Reconstruct, KeepsATightToleranceByFinerCellsAtCreases) {
   EXPECT_LE(tight.report.shellErrorBound, *o.tolerance);
   EXPECT_LT(tight.report.finestCell, 0.6 * tight.report.cell);
   EXPECT_LT(tight.report.triangles, 1.2 * static_cast<double>(loose.report.triangles));
+}
+
+TEST(Reconstruct, KeepsATightToleranceWhereWallsMeetCreases) {
+  // Waves end at the rim, and so do the creases of their offset.
+  for (const auto& [height, waves, r] : {std::tuple{0.5, 3, 0.25}, {0.3, 4, 0.15}, {0.5, 4, 0.1}}) {
+    Options o;
+    o.thickness = r;
+    o.tolerance = 0.05 * r;
+    EXPECT_LE(thicken(shapes::corrugation(static_cast<VertexId>(16 * waves), height, waves), o)
+                  .report.shellErrorBound,
+              *o.tolerance)
+        << height << " " << waves;
+  }
 }
 
 TriangleMesh row(VertexId count) {

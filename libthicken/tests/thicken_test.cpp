@@ -168,13 +168,10 @@ TEST(Thicken, WarnsWhereTheSolidIsThinnerThanAsked) {
   ASSERT_FALSE(solid.report.warnings.empty());
   EXPECT_LT(solid.report.thinnestWall, 0.6);
   EXPECT_GT(solid.report.thinShare, 0.5);
-  EXPECT_THROW(
-      {
-        Options o = by(2);
-        o.tolerance = 0.1;
-        (void)thicken(s, o);
-      },
-      Error);
+  // The rim is nearest to all that is not S: thin as it is, it is the solid that is defined.
+  Options o = by(2);
+  o.tolerance = 0.1;
+  EXPECT_LE(thicken(s, o).report.shellErrorBound, 0.1);
 }
 
 TEST(Thicken, KeepsSheetsApartThatFaceEachOther) {

@@ -67,6 +67,7 @@ std::vector<TriangleId> Attempt::run(std::span<const std::uint8_t> keep, Stopwat
   }
   const std::vector<TriangleId> unsettled = settle(assembly_, target, carrier.up, kSettlingLift * width_,
                                                    proved_, working_.triangles, context_, threads_);
+  carrier_.up = std::move(carrier.up);
   std::vector<TriangleId> meeting = unsettled.empty() ? crowdedTriangles() : unsettled;
   if (meeting.empty()) {
     dropMisplaced(assembly_, threads_);
@@ -75,7 +76,6 @@ std::vector<TriangleId> Attempt::run(std::span<const std::uint8_t> keep, Stopwat
     return meeting;
   }
   carrier_.mesh.positions = std::move(carrier.mesh.positions);
-  carrier_.up = std::move(carrier.up);
   if (!working_.isLean) {  // for the next attempt
     proved_.replace(assembly_.mesh, unsettled, threads_);
     contourer_.remember(std::move(contour.crossings));

@@ -34,7 +34,8 @@ class Attempt {
   [[nodiscard]] std::vector<TriangleId> crowdedTriangles() const;
   /// Takes it, when no more attempts are to follow.
   [[nodiscard]] Assembly takeAssembly() { return std::move(assembly_); }
-  /// The carrier as it was before its walls were drawn back with the contour; without triangles.
+  /// The carrier as it was before its walls were drawn back with the contour; without triangles, and after
+  /// an attempt that is done without positions.
   [[nodiscard]] const Carrier& carrier() const { return carrier_; }
   [[nodiscard]] const NodeField& field() const { return contourer_.field(); }
 

@@ -37,6 +37,13 @@ void requireMemory(std::size_t crossings, std::size_t held, double r, double wid
                                     "the surface at a time, or ask for a larger thickness"));
 }
 
+}  // namespace
+
+bool hasRoomForField(const TriangleMesh& surface, std::size_t crossings, const RunContext& context) {
+  const std::size_t limit = context.memoryLimit();
+  return limit == 0 || heldBytes(surface) + leanBytes(crossings) <= limit;
+}
+
 void requireCells(const TriangleMesh& surface, double r, double width) {
   const Bounds b = boundsOf(surface);
   const double longest = (b.high - b.low).maxCoeff() + 2 * r + 8 * width;
@@ -47,13 +54,6 @@ void requireCells(const TriangleMesh& surface, double r, double width) {
                   "for cells below its half (Remark 1 of the paper); use the method sweep, or ask for a "
                   "larger thickness",
                   width, UniformGrid::kMostCells, r));
-}
-
-}  // namespace
-
-bool hasRoomForField(const TriangleMesh& surface, std::size_t crossings, const RunContext& context) {
-  const std::size_t limit = context.memoryLimit();
-  return limit == 0 || heldBytes(surface) + leanBytes(crossings) <= limit;
 }
 
 WorkingSet requireRoomForField(const TriangleMesh& surface, std::size_t crossings, double r, double width,

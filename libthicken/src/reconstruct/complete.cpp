@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -23,7 +24,7 @@ namespace thicken {
 
 namespace {
 
-constexpr int kMostRefinements = 16, kMostYields = 12, kMostYieldsAtHoles = 3;
+constexpr int kMostRefinements = 16, kMostYields = 12;
 // Cells of all attempts together, and attempts that are made in any case, before the whole sweep is taken.
 constexpr double kMostWork = 2.5e6;
 constexpr std::size_t kSomeAttempts = 4;
@@ -128,8 +129,9 @@ std::vector<double> depths(const TriangleMesh& surface, const ClosestPointTree& 
   return depth;
 }
 
-// The vertices that the triangles use, numbered as they come, those of S first. `base` of each, if any.
-void dropUnused(TriangleMesh& mesh, std::vector<VertexId>& base, std::size_t surfaceVertices) {
+// Drops the vertices that no triangle uses; those that are left are numbered as they come, S's first.
+void dropUnused(Reconstruction& made, std::size_t surfaceVertices) {
+  TriangleMesh& mesh = made.mesh;
   std::vector<VertexId> to(mesh.positions.size(), kNone);
   auto count = static_cast<VertexId>(surfaceVertices);
   std::iota(to.begin(), to.begin() + count, VertexId{0});
@@ -139,14 +141,16 @@ void dropUnused(TriangleMesh& mesh, std::vector<VertexId>& base, std::size_t sur
       v = to[v];
     }
   std::vector<Vec3> positions(count);
-  std::vector<VertexId> newBase(base.empty() ? 0 : count);
+  std::vector<VertexId> base(made.base.empty() ? 0 : count);
   for (std::size_t v = 0; v < to.size(); ++v) {
     if (to[v] == kNone) continue;
     positions[to[v]] = mesh.positions[v];
-    if (!base.empty()) newBase[to[v]] = base[v];
+    if (!base.empty()) base[to[v]] = made.base[v];
   }
   mesh.positions = std::move(positions);
-  base = std::move(newBase);
+  made.base = std::move(base);
+  std::erase_if(made.ends, [&](const WallEnd& end) { return to[end.vertex] == kNone; });
+  for (WallEnd& end : made.ends) end.vertex = to[end.vertex];
 }
 
 // Which of the assembly's triangles are of the sweep's shell where `left` says that this is for want of
@@ -164,10 +168,21 @@ void tellLeft(const Assembly& assembly, const SweepResult& swept, std::span<cons
   result.base.resize(assembly.mesh.positions.size(), kNone);
 }
 
-Reconstruction finish(Assembly assembly, const TriangleMesh& surface, const SweepResult& swept,
-                      std::span<const std::uint8_t> keep, std::span<const std::uint8_t> left,
-                      std::vector<double> depth) {
+// Which triangles of the assembly another contour may replace.
+std::vector<std::uint8_t> openableOf(const Assembly& assembly, const ContourTask& task) {
+  std::vector<std::uint8_t> is(assembly.region.size(), 1);
+  for (TriangleId t = 0; t < assembly.carrierTriangles; ++t) is[t] = task.openable[assembly.source[t]];
+  return is;
+}
+
+Reconstruction finish(Attempt& attempt, const TriangleMesh& surface, const SweepResult& swept,
+                      const ContourTask& task, std::vector<double> depth) {
+  const std::vector<std::uint8_t>& keep = task.keep;
   Reconstruction result;
+  const std::vector<Vec3>& up = attempt.carrier().up;
+  for (VertexId v = 0; v < up.size(); ++v)
+    if (!up[v].isZero(0)) result.ends.push_back({v, up[v]});
+  Assembly assembly = attempt.takeAssembly();
   result.depth = std::move(depth);
   for (std::size_t t = surface.triangles.size(); t < keep.size(); ++t) {
     if (!keep[t] || swept.region[t] != Region::kShell) continue;
@@ -177,10 +192,11 @@ Reconstruction finish(Assembly assembly, const TriangleMesh& surface, const Swee
       at = std::min(at, swept.distance[v]);
     }
   }
-  tellLeft(assembly, swept, left, result);
+  tellLeft(assembly, swept, task.left, result);
+  result.openable = openableOf(assembly, task);
   result.mesh = std::move(assembly.mesh);
   result.region = std::move(assembly.region);
-  dropUnused(result.mesh, result.base, surface.positions.size());
+  dropUnused(result, surface.positions.size());
   return result;
 }
 
@@ -197,40 +213,37 @@ std::optional<Reconstruction> closedFiner(const TriangleMesh& surface, const Clo
                                           const Attempt& attempt, std::span<const TriangleId> meeting,
                                           const Options& options, const RunContext& context, int threads,
                                           Stopwatch& watch) {
-  constexpr double kFiner = 0.5, kMostCells = 1e5;
+  constexpr double kFiner = 0.5;
   constexpr std::size_t kCarriedBytes = 700;  // for each triangle of the carrier beyond S
-  constexpr int kMostTimes = 3;
+  constexpr int kMostTimes = 5;
   if (task.refined == kMostTimes) return std::nullopt;
   const std::size_t carried = attempt.assembly().mesh.triangles.size() - surface.triangles.size();
   const std::size_t held = heldBytes(surface) + carried * kCarriedBytes;
-  context.reserve(held, "use wider cells");
+  if (const std::size_t limit = context.memoryLimit(); limit != 0 && held > limit) return std::nullopt;
   auto holes = holesOf(surface, swept, attempt, task, meeting, context, threads);
   if (!holes) return std::nullopt;
   ContourTask finer;
   finer.width = kFiner * task.width;
   finer.area = openArea(holes->carried, holes->keep);
-  if (!(finer.area > 0) || finer.area > kMostCells * finer.width * finer.width) return std::nullopt;
+  if (!(finer.area > 0) || !fewCells(finer.width, finer.area)) return std::nullopt;
   finer.crossings = mostCrossings(finer.area, finer.width);
   finer.working = workingSetFor(finer.crossings, held, context);
   finer.keep = std::move(holes->keep);
   finer.openable = std::move(holes->openable);
   finer.left = std::move(holes->left);
   finer.refined = task.refined + 1;
-  try {
-    return complete(surface, tree, holes->carried, std::move(finer), options, context, threads, watch);
-  } catch (const Error& e) {  // a grid that is too fine, or that S touches wherever it lies
-    if (e.code() == ErrorCode::kCancelled || e.code() == ErrorCode::kMemoryLimit) throw;
-    return std::nullopt;
-  }
+  return completeIfPossible(surface, tree, holes->carried, std::move(finer), options, context, threads,
+                            watch);
 }
 
-}  // namespace
-
+// The triangles of the shell, as flags per triangle of the sweep.
 std::vector<std::uint8_t> shellOf(const SweepResult& swept) {
   std::vector<std::uint8_t> is(swept.region.size());
   for (std::size_t t = 0; t < is.size(); ++t) is[t] = swept.region[t] == Region::kShell;
   return is;
 }
+
+}  // namespace
 
 std::optional<Reconstruction> complete(const TriangleMesh& surface, const ClosestPointTree& tree,
                                        const SweepResult& swept, ContourTask task, const Options& options,
@@ -253,6 +266,7 @@ std::optional<Reconstruction> complete(const TriangleMesh& surface, const Closes
   Attempt attempt(surface, tree, swept, options, width, task.working, context, threads);
   int refinements = 0, yields = 0;
   bool triedFiner = false;
+  std::size_t leastMeeting = std::numeric_limits<std::size_t>::max();
   std::vector<std::uint8_t> yielded(keep.size(), 0);
   const auto told = [&](Reconstruction made, std::size_t rounds) {
     made.rounds += rounds;
@@ -266,8 +280,8 @@ std::optional<Reconstruction> complete(const TriangleMesh& surface, const Closes
   for (std::size_t round = 0;; ++round) {
     const std::vector<TriangleId> meeting = attempt.run(keep, watch);
     if (meeting.empty()) {
-      Reconstruction result = finish(attempt.takeAssembly(), surface, swept, keep, task.left,
-                                     depths(surface, tree, options.thickness, context, threads));
+      Reconstruction result =
+          finish(attempt, surface, swept, task, depths(surface, tree, options.thickness, context, threads));
       result.finest = width;
       return told(std::move(result), round);
     }
@@ -275,7 +289,10 @@ std::optional<Reconstruction> complete(const TriangleMesh& surface, const Closes
     const bool tired = round + 1 >= kSomeAttempts && work > kMostWork;
     const bool lifted = !tired && attempt.liftWalls(meeting);
     const double nearby = width * kFirstReach * std::pow(kReachGrowth, static_cast<double>(yields));
-    if (!tired && refinements == 0 && yields++ < (task.refined > 0 ? kMostYieldsAtHoles : kMostYields) &&
+    // At a hole finer cells are the better answer where giving over more does not help at once.
+    const bool mayYield = task.refined == 0 || meeting.size() < leastMeeting;
+    leastMeeting = std::min(leastMeeting, meeting.size());
+    if (!tired && refinements == 0 && mayYield && yields++ < kMostYields &&
         yield(swept, shell, attempt.assembly(), meeting, nearby, width, mostOpen, task.openable, yielded,
               keep))
       continue;
@@ -293,6 +310,24 @@ std::optional<Reconstruction> complete(const TriangleMesh& surface, const Closes
     if (std::find(keep.begin(), keep.end(), 0) == keep.end()) refuse(attempt.assembly(), meeting);
     std::fill(keep.begin(), keep.end(), std::uint8_t{1});
   }
+}
+
+std::optional<Reconstruction> completeIfPossible(const TriangleMesh& surface, const ClosestPointTree& tree,
+                                                 const SweepResult& swept, ContourTask task,
+                                                 const Options& options, const RunContext& context,
+                                                 int threads, Stopwatch& watch) {
+  try {
+    requireCells(surface, options.thickness, task.width);
+    return complete(surface, tree, swept, std::move(task), options, context, threads, watch);
+  } catch (const Error& e) {
+    if (e.code() == ErrorCode::kCancelled) throw;
+    return std::nullopt;
+  }
+}
+
+bool fewCells(double width, double area) {
+  constexpr double kMostCells = 1e5;
+  return area <= kMostCells * width * width;
 }
 
 }  // namespace thicken

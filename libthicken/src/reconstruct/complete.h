@@ -4,6 +4,8 @@
 // sweep's own shell is kept.
 #pragma once
 
+#include <optional>
+
 #include "reconstruct/reconstruct.h"
 #include "reconstruct/working_set.h"
 
@@ -23,9 +25,6 @@ struct ContourTask {
   int refined = 0;                   ///< times that finer cells were taken
 };
 
-/// The triangles of the shell, as flags per triangle of the sweep.
-[[nodiscard]] std::vector<std::uint8_t> shellOf(const SweepResult& swept);
-
 /// The solid of a carrier that is `task.keep` of `swept`; nullopt where it would need more of the sweep's
 /// shell and must not have it. Throws kNoSolid where not even the whole sweep is clear of itself, kCancelled.
 [[nodiscard]] std::optional<Reconstruction> complete(const TriangleMesh& surface,
@@ -33,5 +32,14 @@ struct ContourTask {
                                                      ContourTask task, const Options& options,
                                                      const RunContext& context, int threads,
                                                      Stopwatch& watch);
+
+/// complete() in cells that need not be: nothing, too, where they are too many for the grid's keys or for the
+/// memory limit, or where S touches their grid wherever it lies. Throws kCancelled.
+[[nodiscard]] std::optional<Reconstruction> completeIfPossible(
+    const TriangleMesh& surface, const ClosestPointTree& tree, const SweepResult& swept, ContourTask task,
+    const Options& options, const RunContext& context, int threads, Stopwatch& watch);
+
+/// Whether cells of `width` mm are few enough for `area` mm² to be made again in them.
+[[nodiscard]] bool fewCells(double width, double area);
 
 }  // namespace thicken

@@ -26,6 +26,8 @@ SweepResult asSwept(const Reconstruction& made, const TriangleMesh& surface, con
   for (std::size_t t = 0; t < made.left.size(); ++t)
     if (made.left[t])
       for (const VertexId v : made.mesh.triangles[t]) swept.base[v] = made.base[v];
+  swept.up.assign(swept.base.size(), Vec3::Zero());
+  for (const WallEnd& end : made.ends) swept.up[end.vertex] = end.up;
   swept.distance.resize(swept.base.size());
   parallelFor(swept.base.size(), threads, context, 1024, [&](std::size_t v) {
     if (v >= surface.positions.size() && swept.base[v] != kNone)
@@ -51,16 +53,17 @@ std::optional<Reconstruction> contouredAgain(const Reconstruction& made, const F
   const SweepResult swept = asSwept(made, surface, tree, context, threads);
   ContourTask task;
   task.keep.assign(made.region.size(), 1);
-  cutAround(made.mesh, parts.triangles, shellOf(swept), kRings, task.keep);
+  task.openable = made.openable;
+  cutAround(made.mesh, parts.triangles, task.openable, kRings, task.keep);
   task.area = openArea(swept, task.keep);
   task.width = parts.width;
   if (!parts.isAllowed(task.width, task.area)) return std::nullopt;
   task.crossings = mostCrossings(task.area, task.width);
-  task.working = requireRoomForField(surface, task.crossings, options.thickness, task.width, context);
+  task.working = workingSetFor(task.crossings, heldBytes(surface), context);
   task.mayKeepShell = parts.mayKeepShell;
   task.left = made.left;
   task.left.resize(made.region.size(), 0);
-  auto finer = complete(surface, tree, swept, std::move(task), options, context, threads, watch);
+  auto finer = completeIfPossible(surface, tree, swept, std::move(task), options, context, threads, watch);
   if (!finer) return std::nullopt;
   finer->rounds += made.rounds;
   finer->cells += made.cells;

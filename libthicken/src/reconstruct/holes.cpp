@@ -30,14 +30,21 @@ class Cutter {
       : holes_(holes), mesh_(holes.carried.mesh), start_(start), context_(context), threads_(threads) {}
 
   bool cut(std::span<const TriangleId> meeting) {
-    constexpr int kMostTimes = 8, kRings = 3;
+    // Ends of walls go back where triangles meet, and in the end all of them: what is put back may meet what
+    // stands beside it, all along the wall.
+    constexpr int kMostTimes = 8, kLocally = 3, kRings = 3;
     std::vector<TriangleId> bad(meeting.begin(), meeting.end());
     for (int i = 0; i < kMostTimes; ++i) {
       cutAround(mesh_, bad, holes_.openable, kRings, holes_.keep);
       std::erase_if(bad, [this](TriangleId t) { return holes_.openable[t] != 0; });
       if (bad.empty()) return true;
-      putBack(bad);
-      const std::vector<TriangleId> left = meetingAmongKept(bad);
+      std::vector<std::uint8_t> moved = verticesOf(bad);
+      for (VertexId v = 0; v < start_.size(); ++v) {
+        if (mesh_.positions[v] == start_[v] || (i < kLocally && !moved[v])) continue;
+        mesh_.positions[v] = start_[v];
+        moved[v] = 1;
+      }
+      const std::vector<TriangleId> left = meetingOnceMoved(moved);
       if (left.empty()) return !anyFlat(mesh_, bad);
       bad = left;
     }
@@ -45,18 +52,15 @@ class Cutter {
   }
 
  private:
-  // Ends of walls of these triangles.
-  void putBack(std::span<const TriangleId> triangles) {
+  [[nodiscard]] std::vector<std::uint8_t> verticesOf(std::span<const TriangleId> triangles) const {
+    std::vector<std::uint8_t> are(mesh_.positions.size(), 0);
     for (const TriangleId t : triangles)
-      for (const VertexId v : mesh_.triangles[t])
-        if (v < start_.size()) mesh_.positions[v] = start_[v];
+      for (const VertexId v : mesh_.triangles[t]) are[v] = 1;
+    return are;
   }
 
-  // What meets a triangle that may have moved, or a triangle of `bad`.
-  std::vector<TriangleId> meetingAmongKept(std::span<const TriangleId> bad) {
-    std::vector<std::uint8_t> moved(mesh_.positions.size(), 0);
-    for (const TriangleId t : bad)
-      for (const VertexId v : mesh_.triangles[t]) moved[v] = 1;
+  // What is kept that meets other triangles of it, one of which has such a vertex.
+  [[nodiscard]] std::vector<TriangleId> meetingOnceMoved(std::span<const std::uint8_t> moved) const {
     TriangleMesh kept;
     kept.positions = mesh_.positions;
     std::vector<TriangleId> id;
@@ -69,7 +73,7 @@ class Cutter {
       clear.push_back(
           std::none_of(corners.begin(), corners.end(), [&](VertexId v) { return moved[v] != 0; }));
     }
-    exact::PairSearch search(kept, exact::PairSearch::kAll, threads_);
+    const exact::PairSearch search(kept, exact::PairSearch::kAll, threads_);
     std::vector<TriangleId> meeting;
     for (const auto& [a, b] : search.all(clear, context_, threads_)) {
       meeting.push_back(id[a]);

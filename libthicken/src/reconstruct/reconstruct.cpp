@@ -26,8 +26,7 @@ struct WholeShell {
 // Whether cells of a width may be tried where wider ones did not do.
 AllowsCells finerCells(const TriangleMesh& surface, const Options& options, const RunContext& context) {
   return [&](double width, double area) {
-    constexpr double kMostCells = 1e5;
-    return !options.cell && !options.resolution && area <= kMostCells * width * width &&
+    return !options.cell && !options.resolution && fewCells(width, area) &&
            !workingSetFor(mostCrossings(area, width), heldBytes(surface), context).isLean;
   };
 }

@@ -20,6 +20,12 @@ namespace thicken {
 
 class Stopwatch;
 
+/// The end of a wall.
+struct WallEnd {
+  VertexId vertex = 0;
+  Vec3 up = Vec3::Zero();  ///< mm, from there to where the wall hangs on S, about
+};
+
 struct Reconstruction {
   TriangleMesh mesh;           ///< S's vertices and triangles first
   std::vector<Region> region;  ///< per triangle
@@ -34,6 +40,8 @@ struct Reconstruction {
   double leftArea = 0;         ///< mm² of it that was left to the sweep
   std::vector<std::uint8_t> left;  ///< per triangle: whether it is of the sweep's shell for that; empty: none
   std::vector<VertexId> base;      ///< per vertex, of those triangles: what it is a copy of; else any
+  std::vector<WallEnd> ends;       ///< of walls
+  std::vector<std::uint8_t> openable;  ///< per triangle: may be made again, neither S nor the sweep's walls
 };
 
 /// Cells that widths are chosen for, at most, where none is given: for the whole shell, and beside a sweep,
@@ -71,6 +79,9 @@ inline constexpr double kManyCells = 6e5, kManyBesideSweep = 2.5e5;
 /// is wider and `options` do not ask for a width; infinite where there is no room for any.
 [[nodiscard]] double widthWithRoom(const TriangleMesh& surface, std::size_t crossings, double width,
                                    const Options& options, const RunContext& context);
+
+/// Throws kNoSolid where cells of `width` mm are too many for the grid's keys.
+void requireCells(const TriangleMesh& surface, double r, double width);
 
 /// What the contour may hold. Throws where cells of `width` are too many for the grid's keys or, before any
 /// of it is taken, too many for the memory limit even where as little is held at a time as can be, with the
