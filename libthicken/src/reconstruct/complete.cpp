@@ -216,7 +216,10 @@ std::optional<Reconstruction> closedFiner(const TriangleMesh& surface, const Clo
   constexpr double kFiner = 0.5;
   constexpr std::size_t kCarriedBytes = 700;  // for each triangle of the carrier beyond S
   constexpr int kMostTimes = 5;
-  if (task.refined == kMostTimes) return std::nullopt;
+  // What meets along a curve at any width meets in twice as many triangles of half the size.
+  constexpr double kGrowth = 1.5;
+  const bool isHopeless = task.refined > 0 && double(meeting.size()) > kGrowth * double(task.meeting);
+  if (task.refined == kMostTimes || isHopeless) return std::nullopt;
   const std::size_t carried = attempt.assembly().mesh.triangles.size() - surface.triangles.size();
   const std::size_t held = heldBytes(surface) + carried * kCarriedBytes;
   if (const std::size_t limit = context.memoryLimit(); limit != 0 && held > limit) return std::nullopt;
@@ -232,6 +235,7 @@ std::optional<Reconstruction> closedFiner(const TriangleMesh& surface, const Clo
   finer.openable = std::move(holes->openable);
   finer.left = std::move(holes->left);
   finer.refined = task.refined + 1;
+  finer.meeting = meeting.size();
   return completeIfPossible(surface, tree, holes->carried, std::move(finer), options, context, threads,
                             watch);
 }

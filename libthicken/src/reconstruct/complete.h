@@ -23,6 +23,7 @@ struct ContourTask {
   std::vector<std::uint8_t> left{};  ///< per triangle of the sweep: kept for want of better where it is kept;
                                      ///< empty: where `keep` does not have it
   int refined = 0;                   ///< times that finer cells were taken
+  std::size_t meeting = 0;           ///< triangles that met before they were
 };
 
 /// The solid of a carrier that is `task.keep` of `swept`; nullopt where it would need more of the sweep's
