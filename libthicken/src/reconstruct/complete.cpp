@@ -168,13 +168,6 @@ void tellLeft(const Assembly& assembly, const SweepResult& swept, std::span<cons
   result.base.resize(assembly.mesh.positions.size(), kNone);
 }
 
-// Which triangles of the assembly another contour may replace.
-std::vector<std::uint8_t> openableOf(const Assembly& assembly, const ContourTask& task) {
-  std::vector<std::uint8_t> is(assembly.region.size(), 1);
-  for (TriangleId t = 0; t < assembly.carrierTriangles; ++t) is[t] = task.openable[assembly.source[t]];
-  return is;
-}
-
 Reconstruction finish(Attempt& attempt, const TriangleMesh& surface, const SweepResult& swept,
                       const ContourTask& task, std::vector<double> depth) {
   const std::vector<std::uint8_t>& keep = task.keep;

@@ -92,6 +92,12 @@ class Cutter {
 
 }  // namespace
 
+std::vector<std::uint8_t> openableOf(const Assembly& assembly, const ContourTask& task) {
+  std::vector<std::uint8_t> is(assembly.region.size(), 1);
+  for (TriangleId t = 0; t < assembly.carrierTriangles; ++t) is[t] = task.openable[assembly.source[t]];
+  return is;
+}
+
 std::optional<Holes> holesOf(const TriangleMesh& surface, const SweepResult& swept, const Attempt& attempt,
                              const ContourTask& task, std::span<const TriangleId> meeting,
                              const RunContext& context, int threads) {
@@ -100,16 +106,14 @@ std::optional<Holes> holesOf(const TriangleMesh& surface, const SweepResult& swe
   Holes holes;
   const std::size_t count = made.region.size();
   holes.keep.assign(count, 1);
-  holes.openable.assign(count, 1);
+  holes.openable = openableOf(made, task);
   holes.left.assign(count, 0);
   SweepResult& carried = holes.carried;
   carried.base.assign(made.mesh.positions.size(), kNone);
   for (VertexId v = 0; v < surface.positions.size(); ++v) carried.base[v] = v;
   for (TriangleId t = 0; t < made.carrierTriangles; ++t) {
-    const TriangleId source = made.source[t];
-    holes.openable[t] = task.openable[source];
     if (made.region[t] != Region::kShell) continue;
-    holes.left[t] = task.left[source];
+    holes.left[t] = task.left[made.source[t]];
     // What is deeper than a piece of the sweep's shell is not the material of the triangles that it copies.
     for (const VertexId v : made.mesh.triangles[t])
       carried.base[v] = v < swept.base.size() ? swept.base[v] : kNone;

@@ -20,8 +20,11 @@ struct Holes {
   std::vector<std::uint8_t> left;      ///< ContourTask, for the next
 };
 
-/// The holes around the triangles that `meeting` lists after `attempt` at `task`, which was made with `swept`.
-/// Nothing where triangles of its carrier meet each other wherever their walls end.
+/// Flags per triangle of an assembly that was made at `task`: whether another contour may replace it.
+[[nodiscard]] std::vector<std::uint8_t> openableOf(const Assembly& assembly, const ContourTask& task);
+
+/// The holes around the triangles that `meeting` lists after `attempt` at `task`, which was made with
+/// `swept`. Nothing where triangles of its carrier meet each other wherever their walls end.
 [[nodiscard]] std::optional<Holes> holesOf(const TriangleMesh& surface, const SweepResult& swept,
                                            const Attempt& attempt, const ContourTask& task,
                                            std::span<const TriangleId> meeting, const RunContext& context,
