@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 
 #include "analytic_surfaces.h"
@@ -11,6 +13,7 @@
 #include "reconstruct/cut_around.h"
 #include "reconstruct/diagonals.h"
 #include "reconstruct/strip_region.h"
+#include "reconstruct/window.h"
 #include "reconstruct/working_set.h"
 #include "thicken/error.h"
 #include "thicken/thicken.h"
@@ -277,6 +280,112 @@ TEST(CutAround, TakesRingsOfWhatIsOpenable) {
   const std::vector<TriangleId> cut{8, 9};
   cutAround(mesh, cut, openable, 2, keep);
   for (std::size_t t = 0; t < keep.size(); ++t) EXPECT_EQ(keep[t] == 0, t >= 4 && t < 14 && t != 11) << t;
+}
+
+// A swept strip, long along x, with a hole in its shell near either end.
+struct TwoHoles {
+  static constexpr double kThickness = 0.2, kWidth = 0.05;
+  TriangleMesh surface = shapes::parametric(60, 6, [](double u, double v) { return Vec3(20 * u, 2 * v, 0); });
+  Holes holes;
+
+  TwoHoles() {
+    const ClosestPointTree tree(surface);
+    holes.carried = sweep(surface, tree, kThickness, Side::kNegative, RunContext(), 1);
+    SweepResult& swept = holes.carried;
+    swept.up.resize(swept.mesh.positions.size(), Vec3::Zero());
+    holes.left.assign(swept.region.size(), 0);
+    for (std::size_t t = 0; t < swept.region.size(); ++t) {
+      const Triangle& corners = swept.mesh.triangles[t];
+      const bool isShell = swept.region[t] == Region::kShell;
+      const bool isIn = std::all_of(corners.begin(), corners.end(), [&](VertexId v) {
+        const Vec3& p = swept.mesh.positions[v];
+        return std::abs(std::abs(p.x() - 10) - 7) < 0.9 && std::abs(p.y() - 1) < 0.5;
+      });
+      holes.openable.push_back(isShell);
+      holes.keep.push_back(!(isShell && isIn));
+    }
+  }
+
+  // What a contour would have made, were it the window as it was.
+  static Reconstruction unchanged(const Window& window) {
+    Reconstruction made;
+    made.mesh = window.part.carried.mesh;
+    made.region = window.part.carried.region;
+    made.openable = window.part.openable;
+    made.origin.resize(made.mesh.positions.size());
+    std::iota(made.origin.begin(), made.origin.end(), VertexId{0});
+    return made;
+  }
+};
+
+TEST(Windows, ShowWhatIsNearOneHole) {
+  const TwoHoles of;
+  const auto windows = windowsOf(of.surface, of.holes, of.kThickness, of.kWidth, 1);
+  ASSERT_EQ(windows.size(), 2u);
+  EXPECT_FALSE(windows[0].zone.overlaps(windows[1].zone));
+  const TriangleMesh& boundary = of.holes.carried.mesh;
+  for (const Window& window : windows) {
+    EXPECT_LT(window.source.size(), (boundary.triangles.size() - of.surface.triangles.size()) / 2);
+    std::size_t open = 0;
+    for (std::size_t t = 0; t < window.part.keep.size(); ++t) {
+      open += window.part.keep[t] == 0;
+      const bool atEdge = std::any_of(window.part.carried.mesh.triangles[t].begin(),
+                                      window.part.carried.mesh.triangles[t].end(),
+                                      [&](VertexId v) { return window.fixed[v] != 0; });
+      EXPECT_FALSE(atEdge && (window.part.openable[t] || !window.part.keep[t])) << t;
+    }
+    EXPECT_GT(open, 0u);
+    EXPECT_FALSE(window.cut.edges.empty());
+    // The rest of the rim is the hole's.
+    std::vector<Triangle> kept;
+    for (std::size_t t = 0; t < window.part.keep.size(); ++t)
+      if (window.part.keep[t]) kept.push_back(window.part.carried.mesh.triangles[t]);
+    for (const RimEdge& e : rimOf(window.vertex.size(), kept).edges)
+      EXPECT_EQ(std::binary_search(window.cut.edges.begin(), window.cut.edges.end(), Cut::Edge{e.from, e.to}),
+                !window.cut.zone.contains(window.part.carried.mesh.positions[e.from]));
+  }
+}
+
+TEST(Windows, ArePutTogetherToTheWhole) {
+  const TwoHoles of;
+  const auto windows = windowsOf(of.surface, of.holes, of.kThickness, of.kWidth, 1);
+  ASSERT_EQ(windows.size(), 2u);
+  const TriangleMesh& boundary = of.holes.carried.mesh;
+  std::vector<std::optional<Reconstruction>> made{TwoHoles::unchanged(windows[0]), std::nullopt};
+  EXPECT_TRUE(staysWithin(windows[0], *made[0]));
+  auto whole = withWindows(of.surface, of.holes, windows, made);
+  ASSERT_TRUE(whole);
+  EXPECT_EQ(whole->mesh.triangles.size(), boundary.triangles.size());
+
+  // A triangle of a hole is divided in the middle.
+  Reconstruction& divided = *made[0];
+  const auto open = std::find(windows[0].part.keep.begin(), windows[0].part.keep.end(), 0);
+  const auto t = static_cast<std::size_t>(open - windows[0].part.keep.begin());
+  const Triangle old = divided.mesh.triangles[t];
+  const auto middle = static_cast<VertexId>(divided.mesh.positions.size());
+  divided.mesh.positions.push_back(
+      (divided.mesh.positions[old[0]] + divided.mesh.positions[old[1]] + divided.mesh.positions[old[2]]) / 3);
+  divided.origin.push_back(kNone);
+  divided.mesh.triangles[t] = {old[0], old[1], middle};
+  for (const Triangle& more : {Triangle{old[1], old[2], middle}, {old[2], old[0], middle}}) {
+    divided.mesh.triangles.push_back(more);
+    divided.region.push_back(Region::kShell);
+    divided.openable.push_back(1);
+  }
+  made[1] = TwoHoles::unchanged(windows[1]);
+  whole = withWindows(of.surface, of.holes, windows, made);
+  ASSERT_TRUE(whole);
+  EXPECT_EQ(whole->mesh.triangles.size(), boundary.triangles.size() + 2);
+  EXPECT_EQ(whole->mesh.positions.size(), boundary.positions.size() + 1);
+  EXPECT_TRUE(rimOf(whole->mesh.positions.size(), whole->mesh.triangles).edges.empty());
+
+  // Twice the same is once too often.
+  const std::vector<Window> twice{windows[0], windows[0]};
+  made[1] = made[0];
+  EXPECT_FALSE(withWindows(of.surface, of.holes, twice, made));
+  // Beyond its zone nothing may change.
+  divided.mesh.positions[middle].x() += 20;
+  EXPECT_FALSE(staysWithin(windows[0], divided));
 }
 
 TEST(Reconstruct, NamesTheWidthThatFitsTheMemory) {

@@ -20,6 +20,12 @@ struct Bounds {
     low = low.cwiseMin(b.low);
     high = high.cwiseMax(b.high);
   }
+  [[nodiscard]] bool contains(const Vec3& p) const {
+    return (p.array() >= low.array()).all() && (p.array() <= high.array()).all();
+  }
+  [[nodiscard]] bool overlaps(const Bounds& b) const {
+    return (low.array() <= b.high.array()).all() && (b.low.array() <= high.array()).all();
+  }
 };
 
 /// Of the vertices that triangles use.

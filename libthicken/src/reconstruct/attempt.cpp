@@ -27,23 +27,24 @@ constexpr double kLift = 0.75, kSettlingLift = 0.25;
 }  // namespace
 
 Attempt::Attempt(const TriangleMesh& surface, const ClosestPointTree& tree, const SweepResult& swept,
-                 const Options& options, double width, const WorkingSet& working, const RunContext& context,
-                 int threads)
+                 const Options& options, double width, const WorkingSet& working, const Cut* cut,
+                 const RunContext& context, int threads)
     : walls_(surface, tree, swept, options.thickness, context, threads),
-      contourer_(surface, options.thickness, width, working, context, threads),
+      contourer_(surface, options.thickness, width, working, cut, context, threads),
       surface_(surface),
       tree_(tree),
       swept_(swept),
       options_(options),
       width_(width),
       working_(working),
+      cut_(cut),
       context_(context),
       threads_(threads) {}
 
 std::vector<TriangleId> Attempt::run(std::span<const std::uint8_t> keep, Stopwatch& watch) {
   walls_.fit(keep);
-  Carrier carrier =
-      makeCarrier(swept_, walls_.positions(), walls_.up(), surface_.triangles.size(), keep, width_, threads_);
+  Carrier carrier = makeCarrier(swept_, walls_.positions(), walls_.up(), surface_.triangles.size(), keep,
+                                width_, cut_, threads_);
   carrier.covered = coveredTriangles(surface_, swept_, keep);
   const Membership membership(carrier.mesh, tree_, surface_.triangles.size(), options_.thickness,
                               carrier.region, carrier.covered, threads_);
@@ -70,7 +71,10 @@ std::vector<TriangleId> Attempt::run(std::span<const std::uint8_t> keep, Stopwat
   carrier_.up = std::move(carrier.up);
   std::vector<TriangleId> meeting = unsettled.empty() ? crowdedTriangles() : unsettled;
   if (meeting.empty()) {
-    dropMisplaced(assembly_, threads_);
+    if (cut_ == nullptr)
+      dropMisplaced(assembly_, threads_);
+    else
+      requireNoLoosePart(assembly_, threads_);
     labelStrip(assembly_, threads_);
     watch.lap("shape");
     return meeting;

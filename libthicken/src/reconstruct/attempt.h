@@ -17,13 +17,15 @@ namespace thicken {
 
 class Attempt {
  public:
-  /// All arguments by reference must outlive the attempt. `width` is the cells', mm.
+  /// All arguments by reference must outlive the attempt. `width` is the cells', mm; `cut` where `swept` is a
+  /// window of a boundary, else null.
   Attempt(const TriangleMesh& surface, const ClosestPointTree& tree, const SweepResult& swept,
-          const Options& options, double width, const WorkingSet& working, const RunContext& context,
-          int threads);
+          const Options& options, double width, const WorkingSet& working, const Cut* cut,
+          const RunContext& context, int threads);
 
   /// Makes the boundary from the triangles of the sweep that `keep` marks (S's among them). Returns the
-  /// triangles of assembly() that meet others, ascending; none: it is done.
+  /// triangles of assembly() that meet others, ascending; none: it is done. Throws kNoSolid where a contour
+  /// would leave the zone of its window.
   [[nodiscard]] std::vector<TriangleId> run(std::span<const std::uint8_t> keep, Stopwatch& watch);
 
   /// Gives the contour room at the ends of the walls that triangles meet at. Returns whether it could.
@@ -51,6 +53,7 @@ class Attempt {
   const Options& options_;
   double width_;
   WorkingSet working_;
+  const Cut* cut_;
   const RunContext& context_;
   int threads_;
   ProvedTriangles proved_;

@@ -9,6 +9,7 @@
 #include "mesh/float_lattice.h"
 #include "mesh/half_edges.h"
 #include "mesh/normals.h"
+#include "thicken/error.h"
 
 namespace thicken {
 
@@ -21,17 +22,22 @@ std::vector<Triangle> keptTriangles(const TriangleMesh& mesh, std::span<const st
   return kept;
 }
 
-// Vertices at which the kept triangles form more than one fan.
-std::vector<VertexId> pinchedVertices(const TriangleMesh& mesh, std::span<const std::uint8_t> keep) {
-  const HalfEdges edges(mesh.positions.size(), mesh.triangles, keep);
-  std::vector<std::uint8_t> rimEdges(mesh.positions.size(), 0);
-  std::vector<VertexId> pinched;
-  edges.forEachEdge([&](VertexId a, VertexId b, auto forth, auto back) {
-    if (forth.size() + back.size() != 1) return;
-    const VertexId from = forth.empty() ? b : a;
-    if (rimEdges[from] < 2 && ++rimEdges[from] == 2) pinched.push_back(from);
-  });
-  return pinched;
+// The rim without the loops at the edge of a window.
+Rim withoutCut(const Rim& rim, const Cut* cut) {
+  if (cut == nullptr) return rim;
+  Rim own;
+  own.loopStart.push_back(0);
+  for (std::size_t l = 0; l < rim.loops(); ++l) {
+    const auto loop = std::span(rim.edges).subspan(rim.loopStart[l], rim.loopStart[l + 1] - rim.loopStart[l]);
+    const auto cuts = std::count_if(loop.begin(), loop.end(), [&](const RimEdge& e) {
+      return std::binary_search(cut->edges.begin(), cut->edges.end(), Cut::Edge{e.from, e.to});
+    });
+    if (cuts == static_cast<std::ptrdiff_t>(loop.size())) continue;
+    if (cuts > 0) throw Error(ErrorCode::kNoSolid, "a hole reaches the edge of its window");
+    own.edges.insert(own.edges.end(), loop.begin(), loop.end());
+    own.loopStart.push_back(static_cast<std::uint32_t>(own.edges.size()));
+  }
+  return own;
 }
 
 // Replaces a triangle by the fans that the points on its edges call for.
@@ -108,6 +114,18 @@ class RimDivider {
 
 }  // namespace
 
+std::vector<VertexId> pinchedVertices(const TriangleMesh& mesh, std::span<const std::uint8_t> keep) {
+  const HalfEdges edges(mesh.positions.size(), mesh.triangles, keep);
+  std::vector<std::uint8_t> rimEdges(mesh.positions.size(), 0);
+  std::vector<VertexId> pinched;
+  edges.forEachEdge([&](VertexId a, VertexId b, auto forth, auto back) {
+    if (forth.size() + back.size() != 1) return;
+    const VertexId from = forth.empty() ? b : a;
+    if (rimEdges[from] < 2 && ++rimEdges[from] == 2) pinched.push_back(from);
+  });
+  return pinched;
+}
+
 void closeFans(const TriangleMesh& swept, std::vector<std::uint8_t>& keep) {
   const auto around = vertexTriangles(swept.positions.size(), swept.triangles);
   for (bool grown = true; grown;) {
@@ -168,7 +186,7 @@ void trimSpikes(const TriangleMesh& swept, std::span<const std::uint8_t> openabl
 
 Carrier makeCarrier(const SweepResult& swept, std::span<const Vec3> positions, std::vector<Vec3> up,
                     std::size_t surfaceTriangles, std::span<const std::uint8_t> keep, double longest,
-                    int threads) {
+                    const Cut* cut, int threads) {
   Carrier carrier;
   carrier.up = std::move(up);
   carrier.firstDivided = static_cast<VertexId>(positions.size());
@@ -179,7 +197,10 @@ Carrier makeCarrier(const SweepResult& swept, std::span<const Vec3> positions, s
     carrier.region.push_back(swept.region[t]);
     carrier.source.push_back(t);
   }
-  const Rim rim = rimOf(carrier.mesh.positions.size(), carrier.mesh.triangles, threads);
+  const auto rimNow = [&] {
+    return withoutCut(rimOf(carrier.mesh.positions.size(), carrier.mesh.triangles, threads), cut);
+  };
+  const Rim rim = rimNow();
   std::vector<std::array<bool, 3>> onRim(carrier.mesh.triangles.size(), {false, false, false});
   for (const RimEdge& e : rim.edges)
     for (int k = 0; k < 3; ++k)
@@ -187,7 +208,7 @@ Carrier makeCarrier(const SweepResult& swept, std::span<const Vec3> positions, s
   RimDivider divider(carrier, longest);
   for (std::size_t t = surfaceTriangles; t < onRim.size(); ++t)
     divider.divide(static_cast<TriangleId>(t), onRim[t]);
-  carrier.rim = rimOf(carrier.mesh.positions.size(), carrier.mesh.triangles, threads);
+  carrier.rim = rimNow();
   return carrier;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mesh/topology.h"
+#include "reconstruct/cut.h"
 #include "sweep/sweep.h"
 #include "thicken/result.h"
 
@@ -24,6 +25,10 @@ struct Carrier {
   Rim rim;                     ///< its edges are no longer than asked, except those of S
   std::vector<Vec3> up;        ///< per vertex: from the end of a wall to where it hangs on S; else 0
 };
+
+/// Vertices at which the triangles that `keep` marks (empty: all) form more than one fan.
+[[nodiscard]] std::vector<VertexId> pinchedVertices(const TriangleMesh& mesh,
+                                                    std::span<const std::uint8_t> keep);
 
 /// Which triangles of the sweep (S's included) the carrier takes: `keep`, enlarged until no vertex
 /// has two fans.
@@ -41,8 +46,10 @@ void trimSpikes(const TriangleMesh& swept, std::span<const std::uint8_t> openabl
 
 /// The carrier of the kept triangles, the sweep's vertices at `positions`, with `up` of each; rim edges
 /// longer than `longest` mm are divided evenly, those of the first `surfaceTriangles` triangles excepted.
+/// What `cut` lists (null: nothing) is no rim.
 [[nodiscard]] Carrier makeCarrier(const SweepResult& swept, std::span<const Vec3> positions,
                                   std::vector<Vec3> up, std::size_t surfaceTriangles,
-                                  std::span<const std::uint8_t> keep, double longest, int threads);
+                                  std::span<const std::uint8_t> keep, double longest, const Cut* cut,
+                                  int threads);
 
 }  // namespace thicken

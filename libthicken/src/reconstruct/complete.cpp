@@ -16,7 +16,9 @@
 #include "parallel_for.h"
 #include "reconstruct/attempt.h"
 #include "reconstruct/carrier.h"
+#include "reconstruct/drop_unused.h"
 #include "reconstruct/holes.h"
+#include "reconstruct/loose_parts.h"
 #include "reconstruct/shell_plan.h"
 #include "thicken/error.h"
 
@@ -129,30 +131,6 @@ std::vector<double> depths(const TriangleMesh& surface, const ClosestPointTree& 
   return depth;
 }
 
-// Drops the vertices that no triangle uses; those that are left are numbered as they come, S's first.
-void dropUnused(Reconstruction& made, std::size_t surfaceVertices) {
-  TriangleMesh& mesh = made.mesh;
-  std::vector<VertexId> to(mesh.positions.size(), kNone);
-  auto count = static_cast<VertexId>(surfaceVertices);
-  std::iota(to.begin(), to.begin() + count, VertexId{0});
-  for (Triangle& t : mesh.triangles)
-    for (VertexId& v : t) {
-      if (to[v] == kNone) to[v] = count++;
-      v = to[v];
-    }
-  std::vector<Vec3> positions(count);
-  std::vector<VertexId> base(made.base.empty() ? 0 : count);
-  for (std::size_t v = 0; v < to.size(); ++v) {
-    if (to[v] == kNone) continue;
-    positions[to[v]] = mesh.positions[v];
-    if (!base.empty()) base[to[v]] = made.base[v];
-  }
-  mesh.positions = std::move(positions);
-  made.base = std::move(base);
-  std::erase_if(made.ends, [&](const WallEnd& end) { return to[end.vertex] == kNone; });
-  for (WallEnd& end : made.ends) end.vertex = to[end.vertex];
-}
-
 // Which of the assembly's triangles are of the sweep's shell where `left` says that this is for want of
 // better, and what their vertices are copies of.
 void tellLeft(const Assembly& assembly, const SweepResult& swept, std::span<const std::uint8_t> left,
@@ -168,27 +146,36 @@ void tellLeft(const Assembly& assembly, const SweepResult& swept, std::span<cons
   result.base.resize(assembly.mesh.positions.size(), kNone);
 }
 
+// The least distance of the pieces of the sweep's shell that are kept, below the vertices that they are
+// copies of.
+void limitDepths(const TriangleMesh& surface, const SweepResult& swept, std::span<const std::uint8_t> keep,
+                 std::vector<double>& depth) {
+  for (std::size_t t = surface.triangles.size(); t < keep.size(); ++t) {
+    if (!keep[t] || swept.region[t] != Region::kShell) continue;
+    for (const VertexId v : swept.mesh.triangles[t]) {
+      if (swept.base[v] == kNone) continue;
+      double& at = depth[swept.base[v]];
+      at = std::min(at, swept.distance[v]);
+    }
+  }
+}
+
 Reconstruction finish(Attempt& attempt, const TriangleMesh& surface, const SweepResult& swept,
-                      const ContourTask& task, std::vector<double> depth) {
-  const std::vector<std::uint8_t>& keep = task.keep;
+                      const ContourTask& task) {
   Reconstruction result;
   const std::vector<Vec3>& up = attempt.carrier().up;
   for (VertexId v = 0; v < up.size(); ++v)
     if (!up[v].isZero(0)) result.ends.push_back({v, up[v]});
   Assembly assembly = attempt.takeAssembly();
-  result.depth = std::move(depth);
-  for (std::size_t t = surface.triangles.size(); t < keep.size(); ++t) {
-    if (!keep[t] || swept.region[t] != Region::kShell) continue;
-    for (const VertexId v : swept.mesh.triangles[t]) {
-      if (swept.base[v] == kNone) continue;
-      double& at = result.depth[swept.base[v]];
-      at = std::min(at, swept.distance[v]);
-    }
-  }
   tellLeft(assembly, swept, task.left, result);
   result.openable = openableOf(assembly, task);
   result.mesh = std::move(assembly.mesh);
   result.region = std::move(assembly.region);
+  if (task.cut) {
+    result.origin.assign(result.mesh.positions.size(), kNone);
+    std::iota(result.origin.begin(),
+              result.origin.begin() + static_cast<std::ptrdiff_t>(swept.mesh.positions.size()), VertexId{0});
+  }
   dropUnused(result, surface.positions.size());
   return result;
 }
@@ -199,38 +186,82 @@ std::size_t predictedBytes(const ContourTask& task, const TriangleMesh& surface,
   return task.working.isLean ? std::min(most, context.memoryLimit()) : most;
 }
 
-// What an attempt could not make, in finer cells: the rest of it is the carrier for that. Nothing where even
-// the finest ones that are tried do not do.
-std::optional<Reconstruction> closedFiner(const TriangleMesh& surface, const ClosestPointTree& tree,
-                                          const SweepResult& swept, const ContourTask& task,
-                                          const Attempt& attempt, std::span<const TriangleId> meeting,
-                                          const Options& options, const RunContext& context, int threads,
-                                          Stopwatch& watch) {
+// What an attempt could not make, once it was tried in finer cells.
+struct Closing {
+  std::optional<Reconstruction> made;  // where all of it could be made
+  std::vector<TriangleId> stuck;       // of the assembly: triangles that meet where it could not
+};
+
+// The triangles of `meeting` in zones that were given up.
+std::vector<TriangleId> meetingIn(const Assembly& assembly, std::span<const TriangleId> meeting,
+                                  std::span<const Bounds> zones) {
+  std::vector<TriangleId> in;
+  for (const TriangleId t : meeting) {
+    Bounds b;
+    for (const VertexId v : assembly.mesh.triangles[t]) b.add(assembly.mesh.positions[v]);
+    if (std::any_of(zones.begin(), zones.end(), [&](const Bounds& zone) { return zone.overlaps(b); }))
+      in.push_back(t);
+  }
+  return in;
+}
+
+// The zones of the windows that come near what was given up.
+std::vector<Bounds> zonesAmong(std::span<const Window> windows, std::span<const Bounds> givenUp) {
+  std::vector<Bounds> zones;
+  for (const Window& window : windows)
+    if (std::any_of(givenUp.begin(), givenUp.end(),
+                    [&](const Bounds& zone) { return zone.overlaps(window.zone); }))
+      zones.push_back(window.zone);
+  return zones;
+}
+
+// What an attempt could not make, in finer cells: the rest of it is the carrier for that. Zones where even
+// the finest ones that are tried do not do are added to `givenUp`, and are not tried again.
+Closing closedFiner(const TriangleMesh& surface, const ClosestPointTree& tree, const SweepResult& swept,
+                    const ContourTask& task, const Attempt& attempt, std::span<const TriangleId> meeting,
+                    std::vector<Bounds>& givenUp, const Options& options, const RunContext& context,
+                    int threads, Stopwatch& watch) {
   constexpr double kFiner = 0.5;
   constexpr std::size_t kCarriedBytes = 700;  // for each triangle of the carrier beyond S
   constexpr int kMostTimes = 5;
   // What meets along a curve at any width meets in twice as many triangles of half the size.
   constexpr double kGrowth = 1.5;
+  Closing closing{std::nullopt, {meeting.begin(), meeting.end()}};
   const bool isHopeless = task.refined > 0 && double(meeting.size()) > kGrowth * double(task.meeting);
-  if (task.refined == kMostTimes || isHopeless) return std::nullopt;
+  if (task.refined == kMostTimes || isHopeless) return closing;
   const std::size_t carried = attempt.assembly().mesh.triangles.size() - surface.triangles.size();
   const std::size_t held = heldBytes(surface) + carried * kCarriedBytes;
-  if (const std::size_t limit = context.memoryLimit(); limit != 0 && held > limit) return std::nullopt;
-  auto holes = holesOf(surface, swept, attempt, task, meeting, context, threads);
-  if (!holes) return std::nullopt;
+  if (const std::size_t limit = context.memoryLimit(); limit != 0 && held > limit) return closing;
+  const auto holes = holesOf(surface, swept, attempt, task, meeting, context, threads);
+  if (!holes) return closing;
   ContourTask finer;
   finer.width = kFiner * task.width;
-  finer.area = openArea(holes->carried, holes->keep);
-  if (!(finer.area > 0) || !fewCells(finer.width, finer.area)) return std::nullopt;
-  finer.crossings = mostCrossings(finer.area, finer.width);
-  finer.working = workingSetFor(finer.crossings, held, context);
-  finer.keep = std::move(holes->keep);
-  finer.openable = std::move(holes->openable);
-  finer.left = std::move(holes->left);
   finer.refined = task.refined + 1;
-  finer.meeting = meeting.size();
-  return completeIfPossible(surface, tree, holes->carried, std::move(finer), options, context, threads,
-                            watch);
+  finer.allowance = task.allowance;
+  const std::vector<Window> windows = windowsOf(surface, *holes, options.thickness, finer.width, threads);
+  if (windows.empty()) return closing;
+  std::vector<Bounds> stuck = zonesAmong(windows, givenUp);
+  const bool isOpen = stuck.empty();
+  std::vector<std::optional<Reconstruction>> made(windows.size());
+  for (std::size_t i = 0; isOpen && i < windows.size(); ++i) {
+    finer.meeting = meetingIn(attempt.assembly(), meeting, {&windows[i].zone, 1}).size();
+    made[i] = completeWindow(surface, tree, windows[i], finer, held, options, context, threads, watch);
+    if (made[i]) continue;
+    stuck.push_back(windows[i].zone);
+    // The others are tried, too, where it is of use to know all that cannot be closed.
+    if (!task.mayKeepShell) return closing;
+  }
+  if (stuck.empty()) {
+    closing.made = withWindows(surface, *holes, windows, made);
+    if (!closing.made) return closing;
+    for (VertexId& v : closing.made->origin)
+      if (v >= swept.mesh.positions.size()) v = kNone;
+    return closing;
+  }
+  if (isOpen) givenUp.insert(givenUp.end(), stuck.begin(), stuck.end());
+  if (auto there = meetingIn(attempt.assembly(), meeting, stuck); !there.empty())
+    closing.stuck = std::move(there);
+  return closing;
 }
 
 // The triangles of the shell, as flags per triangle of the sweep.
@@ -260,9 +291,11 @@ std::optional<Reconstruction> complete(const TriangleMesh& surface, const Closes
     std::transform(keep.begin(), keep.end(), task.left.begin(), [](std::uint8_t k) { return k == 0; });
   }
   const double mostOpen = std::max(wanted, kManyBesideSweep * width * width);
-  Attempt attempt(surface, tree, swept, options, width, task.working, context, threads);
+  Attempt attempt(surface, tree, swept, options, width, task.working, task.cut ? &*task.cut : nullptr,
+                  context, threads);
   int refinements = 0, yields = 0;
-  bool triedFiner = false;
+  std::vector<Bounds> givenUp;
+  std::optional<std::size_t> allowance;
   std::size_t leastMeeting = std::numeric_limits<std::size_t>::max();
   std::vector<std::uint8_t> yielded(keep.size(), 0);
   const auto told = [&](Reconstruction made, std::size_t rounds) {
@@ -277,13 +310,20 @@ std::optional<Reconstruction> complete(const TriangleMesh& surface, const Closes
   for (std::size_t round = 0;; ++round) {
     const std::vector<TriangleId> meeting = attempt.run(keep, watch);
     if (meeting.empty()) {
-      Reconstruction result =
-          finish(attempt, surface, swept, task, depths(surface, tree, options.thickness, context, threads));
+      Reconstruction result = finish(attempt, surface, swept, task);
+      if (!task.cut) {
+        result.depth = depths(surface, tree, options.thickness, context, threads);
+        limitDepths(surface, swept, keep, result.depth);
+      }
       result.finest = width;
       return told(std::move(result), round);
     }
+    const std::size_t triangles = attempt.assembly().mesh.triangles.size();
+    if (!task.allowance) task.allowance = &allowance.emplace(allowanceFor(triangles));
+    const bool spent = *task.allowance < triangles;
+    if (task.cut && !spent) *task.allowance -= triangles;
     const double work = static_cast<double>(round + 1) * task.area / (width * width);
-    const bool tired = round + 1 >= kSomeAttempts && work > kMostWork;
+    const bool tired = (round + 1 >= kSomeAttempts && work > kMostWork) || (task.cut && spent);
     const bool lifted = !tired && attempt.liftWalls(meeting);
     const double nearby = width * kFirstReach * std::pow(kReachGrowth, static_cast<double>(yields));
     // At a hole finer cells are the better answer where giving over more does not help at once.
@@ -294,14 +334,23 @@ std::optional<Reconstruction> complete(const TriangleMesh& surface, const Closes
               keep))
       continue;
     if (lifted) continue;
-    if (!std::exchange(triedFiner, true))
-      if (auto made =
-              closedFiner(surface, tree, swept, task, attempt, meeting, options, context, threads, watch))
-        return told(*std::move(made), round);
+    std::vector<TriangleId> stuck = meeting;
+    if (!spent) {
+      Closing closing = closedFiner(surface, tree, swept, task, attempt, meeting, givenUp, options, context,
+                                    threads, watch);
+      if (closing.made) {
+        if (!task.cut) {
+          dropMisplaced(*closing.made, threads);
+          closing.made->depth = depthsOf(*closing.made, surface, tree, options.thickness, context, threads);
+        }
+        return told(*std::move(closing.made), round);
+      }
+      stuck = std::move(closing.stuck);
+    }
     if (!task.mayKeepShell) return std::nullopt;
     const double reach = width * kFirstReach * std::pow(kReachGrowth, static_cast<double>(refinements));
     if (!tired && refinements++ < kMostRefinements &&
-        refine(swept, shell, attempt.assembly(), meeting, width, reach, keep))
+        refine(swept, shell, attempt.assembly(), stuck, width, reach, keep))
       continue;
     // In the end the whole sweep, which leaves nothing to contour.
     if (std::find(keep.begin(), keep.end(), 0) == keep.end()) refuse(attempt.assembly(), meeting);
@@ -309,17 +358,47 @@ std::optional<Reconstruction> complete(const TriangleMesh& surface, const Closes
   }
 }
 
-std::optional<Reconstruction> completeIfPossible(const TriangleMesh& surface, const ClosestPointTree& tree,
-                                                 const SweepResult& swept, ContourTask task,
-                                                 const Options& options, const RunContext& context,
-                                                 int threads, Stopwatch& watch) {
+std::optional<Reconstruction> completeWindow(const TriangleMesh& surface, const ClosestPointTree& tree,
+                                             const Window& window, ContourTask task, std::size_t held,
+                                             const Options& options, const RunContext& context, int threads,
+                                             Stopwatch& watch) {
+  task.area = window.area;
+  if (!(task.area > 0) || !fewCells(task.width, task.area)) return std::nullopt;
+  task.crossings = mostCrossings(task.area, task.width);
+  task.working = workingSetFor(task.crossings, held, context);
+  task.keep = window.part.keep;
+  task.openable = window.part.openable;
+  task.left = window.part.left;
+  task.cut = window.cut;
   try {
     requireCells(surface, options.thickness, task.width);
-    return complete(surface, tree, swept, std::move(task), options, context, threads, watch);
+    auto made =
+        complete(surface, tree, window.part.carried, std::move(task), options, context, threads, watch);
+    if (made && !staysWithin(window, *made)) return std::nullopt;
+    return made;
   } catch (const Error& e) {
     if (e.code() == ErrorCode::kCancelled) throw;
     return std::nullopt;
   }
+}
+
+std::vector<double> depthsOf(const Reconstruction& made, const TriangleMesh& surface,
+                             const ClosestPointTree& tree, double r, const RunContext& context, int threads) {
+  std::vector<double> depth = depths(surface, tree, r, context, threads);
+  for (TriangleId t = 0; t < made.left.size(); ++t) {
+    if (!made.left[t]) continue;
+    for (const VertexId v : made.mesh.triangles[t]) {
+      if (made.base[v] == kNone) continue;
+      double& at = depth[made.base[v]];
+      at = std::min(at, tree.distance(made.mesh.positions[v]));
+    }
+  }
+  return depth;
+}
+
+std::size_t allowanceFor(std::size_t triangles) {
+  constexpr std::size_t kLeast = 8'000'000, kTimes = 8;
+  return std::max(kLeast, kTimes * triangles);
 }
 
 bool fewCells(double width, double area) {

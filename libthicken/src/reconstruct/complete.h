@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "reconstruct/reconstruct.h"
+#include "reconstruct/window.h"
 #include "reconstruct/working_set.h"
 
 namespace thicken {
@@ -24,6 +25,8 @@ struct ContourTask {
                                      ///< empty: where `keep` does not have it
   int refined = 0;                   ///< times that finer cells were taken
   std::size_t meeting = 0;           ///< triangles that met before they were
+  std::optional<Cut> cut{};          ///< where the sweep is a window of a boundary
+  std::size_t* allowance = nullptr;  ///< triangles of a boundary that attempts may make yet; null: any number
 };
 
 /// The solid of a carrier that is `task.keep` of `swept`; nullopt where it would need more of the sweep's
@@ -34,11 +37,23 @@ struct ContourTask {
                                                      const RunContext& context, int threads,
                                                      Stopwatch& watch);
 
-/// complete() in cells that need not be: nothing, too, where they are too many for the grid's keys or for the
-/// memory limit, or where S touches their grid wherever it lies. Throws kCancelled.
-[[nodiscard]] std::optional<Reconstruction> completeIfPossible(
-    const TriangleMesh& surface, const ClosestPointTree& tree, const SweepResult& swept, ContourTask task,
-    const Options& options, const RunContext& context, int threads, Stopwatch& watch);
+/// complete() in a window, in cells that need not be; `task` says in which. `held`: bytes beside it. Nothing,
+/// too, where they are too many for the grid's keys or for the memory limit, where S touches their grid
+/// wherever it lies, or where what is made does not stay within the window. Throws kCancelled.
+[[nodiscard]] std::optional<Reconstruction> completeWindow(const TriangleMesh& surface,
+                                                           const ClosestPointTree& tree, const Window& window,
+                                                           ContourTask task, std::size_t held,
+                                                           const Options& options, const RunContext& context,
+                                                           int threads, Stopwatch& watch);
+
+/// How deep the solid is below each vertex of S, as Reconstruction::depth: to where the field ends along the
+/// normal, or to the copy that was left there.
+[[nodiscard]] std::vector<double> depthsOf(const Reconstruction& made, const TriangleMesh& surface,
+                                           const ClosestPointTree& tree, double r, const RunContext& context,
+                                           int threads);
+
+/// How much of a boundary of so many triangles its finer parts may cost, as ContourTask::allowance.
+[[nodiscard]] std::size_t allowanceFor(std::size_t triangles);
 
 /// Whether cells of `width` mm are few enough for `area` mm² to be made again in them.
 [[nodiscard]] bool fewCells(double width, double area);

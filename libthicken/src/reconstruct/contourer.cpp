@@ -59,11 +59,12 @@ std::vector<GridIndex> rimCells(const std::vector<RimWay>& ways) {
 }  // namespace
 
 Contourer::Contourer(const TriangleMesh& surface, double thickness, double width, const WorkingSet& working,
-                     const RunContext& context, int threads)
+                     const Cut* cut, const RunContext& context, int threads)
     : surface_(surface),
       thickness_(thickness),
       width_(width),
       working_(working),
+      cut_(cut),
       context_(context),
       threads_(threads) {}
 
@@ -106,7 +107,10 @@ Contour Contourer::attempt(const Carrier& carrier, const Membership& membership,
   forgetChanges(std::move(corners), carrier.covered);
   const auto placing = [&](const EdgePart& part) {
     const Crossing* old = recalled(part);
-    return old != nullptr ? *old : placed(part, grid_, *field_, membership);
+    const Crossing crossing = old != nullptr ? *old : placed(part, grid_, *field_, membership);
+    if (cut_ != nullptr && !cut_->zone.contains(crossing.at))
+      throw Error(ErrorCode::kNoSolid, "the contour leaves its window");
+    return crossing;
   };
   made.crossings = followContour(grid_, rimCells(made.ways), seeds, crossed, membership, *field_, placing,
                                  context_, threads_);

@@ -27,12 +27,13 @@ struct Contour {
 
 class Contourer {
  public:
-  /// `surface` must outlive the contourer.
+  /// `surface` and `cut` (null: none) must outlive the contourer.
   Contourer(const TriangleMesh& surface, double thickness, double width, const WorkingSet& working,
-            const RunContext& context, int threads);
+            const Cut* cut, const RunContext& context, int threads);
 
   /// The contour of what lies in H and is not closed off by `carrier`, whose first triangles are those of
-  /// the surface. `seeds` are for parts of it that hang together with no rim.
+  /// the surface. `seeds` are for parts of it that hang together with no rim. Throws kNoSolid where it leaves
+  /// the zone of the cut.
   [[nodiscard]] Contour contour(const Carrier& carrier, const Membership& membership, const Seeds& seeds,
                                 Stopwatch& watch);
 
@@ -55,6 +56,7 @@ class Contourer {
   const TriangleMesh& surface_;
   double thickness_, width_;
   WorkingSet working_;
+  const Cut* cut_;
   const RunContext& context_;
   int threads_;
   int shifts_ = -1;

@@ -50,29 +50,41 @@ std::optional<Reconstruction> contouredAgain(const Reconstruction& made, const F
                                              const Options& options, const RunContext& context, int threads,
                                              Stopwatch& watch) {
   constexpr int kRings = 2;
-  const SweepResult swept = asSwept(made, surface, tree, context, threads);
+  Holes holes;
+  holes.carried = asSwept(made, surface, tree, context, threads);
+  holes.keep.assign(made.region.size(), 1);
+  holes.openable = made.openable;
+  holes.left = made.left;
+  holes.left.resize(made.region.size(), 0);
+  cutAround(made.mesh, parts.triangles, holes.openable, kRings, holes.keep);
+  if (!parts.isAllowed(parts.width, openArea(holes.carried, holes.keep))) return std::nullopt;
+  std::size_t allowance = allowanceFor(made.region.size());
   ContourTask task;
-  task.keep.assign(made.region.size(), 1);
-  task.openable = made.openable;
-  cutAround(made.mesh, parts.triangles, task.openable, kRings, task.keep);
-  task.area = openArea(swept, task.keep);
   task.width = parts.width;
-  if (!parts.isAllowed(task.width, task.area)) return std::nullopt;
-  task.crossings = mostCrossings(task.area, task.width);
-  task.working = workingSetFor(task.crossings, heldBytes(surface), context);
   task.mayKeepShell = parts.mayKeepShell;
-  task.left = made.left;
-  task.left.resize(made.region.size(), 0);
-  auto finer = completeIfPossible(surface, tree, swept, std::move(task), options, context, threads, watch);
-  if (!finer) return std::nullopt;
-  finer->rounds += made.rounds;
-  finer->cells += made.cells;
-  finer->nodes += made.nodes;
-  finer->predicted = std::max(finer->predicted, made.predicted);
-  finer->shellArea = made.shellArea;
-  finer->cell = made.cell;
-  finer->finest = std::min(finer->finest, made.finest);
-  return finer;
+  task.allowance = &allowance;
+  const std::vector<Window> windows = windowsOf(surface, holes, options.thickness, parts.width, threads);
+  std::vector<std::optional<Reconstruction>> inWindow(windows.size());
+  bool any = false;
+  for (std::size_t i = 0; i < windows.size(); ++i) {
+    inWindow[i] =
+        completeWindow(surface, tree, windows[i], task, heldBytes(surface), options, context, threads, watch);
+    any |= inWindow[i].has_value();
+  }
+  if (!any) return std::nullopt;
+  std::optional<Reconstruction> joined = withWindows(surface, holes, windows, inWindow);
+  if (!joined) return std::nullopt;
+  Reconstruction& finer = *joined;
+  finer.origin.clear();
+  finer.depth = depthsOf(finer, surface, tree, options.thickness, context, threads);
+  finer.rounds += made.rounds;
+  finer.cells += made.cells;
+  finer.nodes += made.nodes;
+  finer.predicted = std::max(finer.predicted, made.predicted);
+  finer.shellArea = made.shellArea;
+  finer.cell = made.cell;
+  finer.finest = std::min(finer.finest, made.finest);
+  return joined;
 }
 
 Reconstruction withFinerParts(Reconstruction made, const TriangleMesh& surface, const ClosestPointTree& tree,

@@ -10,15 +10,9 @@
 
 #include "reconstruct/attempt.h"
 #include "reconstruct/complete.h"
+#include "reconstruct/window.h"
 
 namespace thicken {
-
-struct Holes {
-  SweepResult carried;                 ///< the attempt's boundary, with what is not clear
-  std::vector<std::uint8_t> keep;      ///< per triangle of it: outside of the holes
-  std::vector<std::uint8_t> openable;  ///< ContourTask, for the next
-  std::vector<std::uint8_t> left;      ///< ContourTask, for the next
-};
 
 /// Flags per triangle of an assembly that was made at `task`: whether another contour may replace it.
 [[nodiscard]] std::vector<std::uint8_t> openableOf(const Assembly& assembly, const ContourTask& task);

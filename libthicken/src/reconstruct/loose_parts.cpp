@@ -7,6 +7,7 @@
 #include "exact/box_tree.h"
 #include "mesh/bounds.h"
 #include "mesh/half_edges.h"
+#include "thicken/error.h"
 
 namespace thicken {
 
@@ -35,14 +36,40 @@ bool allOf(std::span<const std::uint8_t> flags) {
   return std::find(flags.begin(), flags.end(), 0) == flags.end();
 }
 
+bool anyOf(std::span<const std::uint8_t> flags) {
+  return std::find(flags.begin(), flags.end(), 1) != flags.end();
+}
+
+// Per part: whether any of it is the carrier's.
+std::vector<std::uint8_t> hangingOnCarrier(const Assembly& assembly, const Components& parts) {
+  std::vector<std::uint8_t> hangs(parts.count, 0);
+  for (std::size_t t = 0; t < assembly.carrierTriangles; ++t) hangs[parts.ofTriangle[t]] = 1;
+  return hangs;
+}
+
+// Per part: whether it has nothing of S and is misplaced.
+std::vector<std::uint8_t> misplaced(const TriangleMesh& mesh, std::span<const Region> region,
+                                    const Components& parts, int threads) {
+  std::vector<std::uint8_t> hangs(parts.count, 0), drop(parts.count, 0);
+  for (std::size_t t = 0; t < region.size(); ++t)
+    if (region[t] == Region::kOriginal) hangs[parts.ofTriangle[t]] = 1;
+  if (allOf(hangs)) return drop;
+  const HalfEdges edges(mesh.positions.size(), mesh.triangles, {}, threads);
+  const std::vector<VertexId> lowest = lowestVertices(mesh, parts);
+  const exact::BoxTree tree(mesh.positions, mesh.triangles, threads, trianglesBelow(mesh, lowest, threads));
+  for (std::uint32_t part = 0; part < parts.count; ++part)
+    drop[part] = !hangs[part] && facesOutward(mesh, edges, lowest[part]) ==
+                                     insideOddNumber(mesh, tree, parts, lowest[part], part);
+  return drop;
+}
+
 }  // namespace
 
 void dropSpecks(Assembly& assembly, double width, int threads) {
   constexpr double kSpeck = 8;  // cells
   const TriangleMesh& mesh = assembly.mesh;
   const Components parts = componentsOf(mesh.positions.size(), mesh.triangles, threads);
-  std::vector<std::uint8_t> hangs(parts.count, 0);
-  for (std::size_t t = 0; t < assembly.carrierTriangles; ++t) hangs[parts.ofTriangle[t]] = 1;
+  const std::vector<std::uint8_t> hangs = hangingOnCarrier(assembly, parts);
   if (allOf(hangs)) return;
   std::vector<Bounds> bounds(parts.count);
   for (std::size_t t = assembly.carrierTriangles; t < parts.ofTriangle.size(); ++t) {
@@ -56,19 +83,31 @@ void dropSpecks(Assembly& assembly, double width, int threads) {
 }
 
 void dropMisplaced(Assembly& assembly, int threads) {
-  const TriangleMesh& mesh = assembly.mesh;
-  const Components parts = componentsOf(mesh.positions.size(), mesh.triangles, threads);
-  std::vector<std::uint8_t> hangs(parts.count, 0), drop(parts.count, 0);
-  for (std::size_t t = 0; t < assembly.carrierTriangles; ++t)
-    if (assembly.region[t] == Region::kOriginal) hangs[parts.ofTriangle[t]] = 1;
-  if (allOf(hangs)) return;
-  const HalfEdges edges(mesh.positions.size(), mesh.triangles, {}, threads);
-  const std::vector<VertexId> lowest = lowestVertices(mesh, parts);
-  const exact::BoxTree tree(mesh.positions, mesh.triangles, threads, trianglesBelow(mesh, lowest, threads));
-  for (std::uint32_t part = 0; part < parts.count; ++part)
-    drop[part] = !hangs[part] && facesOutward(mesh, edges, lowest[part]) ==
-                                     insideOddNumber(mesh, tree, parts, lowest[part], part);
-  dropParts(assembly, parts, drop);
+  const Components parts = componentsOf(assembly.mesh.positions.size(), assembly.mesh.triangles, threads);
+  const std::vector<std::uint8_t> drop = misplaced(assembly.mesh, assembly.region, parts, threads);
+  if (anyOf(drop)) dropParts(assembly, parts, drop);
+}
+
+void dropMisplaced(Reconstruction& made, int threads) {
+  const Components parts = componentsOf(made.mesh.positions.size(), made.mesh.triangles, threads);
+  const std::vector<std::uint8_t> drop = misplaced(made.mesh, made.region, parts, threads);
+  if (!anyOf(drop)) return;
+  const auto erase = [&](auto& ofTriangle) {
+    std::size_t kept = 0;
+    for (std::size_t t = 0; t < ofTriangle.size(); ++t)
+      if (!drop[parts.ofTriangle[t]]) ofTriangle[kept++] = ofTriangle[t];
+    ofTriangle.resize(kept);
+  };
+  erase(made.mesh.triangles);
+  erase(made.region);
+  erase(made.openable);
+  erase(made.left);
+}
+
+void requireNoLoosePart(const Assembly& assembly, int threads) {
+  const Components parts = componentsOf(assembly.mesh.positions.size(), assembly.mesh.triangles, threads);
+  if (!allOf(hangingOnCarrier(assembly, parts)))
+    throw Error(ErrorCode::kNoSolid, "a part of the contour hangs together with nothing in its window");
 }
 
 }  // namespace thicken

@@ -42,6 +42,7 @@ struct Reconstruction {
   std::vector<VertexId> base;      ///< per vertex, of those triangles: what it is a copy of; else any
   std::vector<WallEnd> ends;       ///< of walls
   std::vector<std::uint8_t> openable;  ///< per triangle: may be made again, neither S nor the sweep's walls
+  std::vector<VertexId> origin;  ///< of a window, per vertex: of the boundary that was carried, or kNone
 };
 
 /// Cells that widths are chosen for, at most, where none is given: for the whole shell, and beside a sweep,

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Where a window of a boundary ends.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "mesh/bounds.h"
+
+namespace thicken {
+
+struct Cut {
+  using Edge = std::array<VertexId, 2>;
+  std::vector<Edge> edges;  ///< ascending; of the window's triangles, in their direction: the boundary goes
+                            ///< on beyond them
+  Bounds zone;  ///< the contour that is made in the window must not leave it
+};
+
+}  // namespace thicken

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "reconstruct/reconstruct.h"
+
+namespace thicken {
+
+/// Drops the vertices that no triangle uses; those that are left are numbered as they come, S's first.
+void dropUnused(Reconstruction& made, std::size_t surfaceVertices);
+
+}  // namespace thicken

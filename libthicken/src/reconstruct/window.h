@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Holes of a boundary are closed in windows around them: S, and what of the boundary is so near that it
+// matters to the field there. So an attempt costs what the hole costs, not what the boundary does, and a hole
+// that cannot be closed is no obstacle to the others.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "reconstruct/cut.h"
+#include "reconstruct/reconstruct.h"
+
+namespace thicken {
+
+/// A boundary with holes.
+struct Holes {
+  SweepResult carried;                 ///< the boundary, with what is cut out of it
+  std::vector<std::uint8_t> keep;      ///< per triangle of it: outside of the holes
+  std::vector<std::uint8_t> openable;  ///< per triangle: may be cut out
+  std::vector<std::uint8_t> left;      ///< per triangle: of the sweep's shell, kept for want of better
+};
+
+struct Window {
+  Holes part;   ///< S's vertices and triangles first
+  Bounds zone;  ///< nothing beyond is changed
+  Cut cut;
+  double area = 0;                  ///< of what is open, mm²
+  std::vector<TriangleId> source;   ///< of the boundary's triangles, those in the window beyond S; ascending
+  std::vector<VertexId> vertex;     ///< per vertex of the window: the boundary's
+  std::vector<std::uint8_t> fixed;  ///< per vertex of the window: at its edge
+};
+
+/// Windows whose zones are disjoint, for contours with cells of `width` mm of the field with thickness `r`.
+[[nodiscard]] std::vector<Window> windowsOf(const TriangleMesh& surface, const Holes& holes, double r,
+                                            double width, int threads);
+
+/// Whether all vertices that are new in a window, or moved, lie in its zone.
+[[nodiscard]] bool staysWithin(const Window& window, const Reconstruction& made);
+
+/// The boundary with what was made in some of its windows; holes of the others are left as `holes` has them,
+/// with all triangles. `origin` of the result is in terms of the boundary's vertices. Nothing where two of
+/// them would replace the same triangle.
+[[nodiscard]] std::optional<Reconstruction> withWindows(const TriangleMesh& surface, const Holes& holes,
+                                                        std::span<const Window> windows,
+                                                        std::span<const std::optional<Reconstruction>> made);
+
+}  // namespace thicken
