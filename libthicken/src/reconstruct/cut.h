@@ -14,7 +14,7 @@ struct Cut {
   using Edge = std::array<VertexId, 2>;
   std::vector<Edge> edges;  ///< ascending; of the window's triangles, in their direction: the boundary goes
                             ///< on beyond them
-  Bounds zone;  ///< the contour that is made in the window must not leave it
+  Bounds zone;              ///< the contour that is made in the window must not leave it
 };
 
 }  // namespace thicken
