@@ -397,7 +397,7 @@ std::vector<double> depthsOf(const Reconstruction& made, const TriangleMesh& sur
 }
 
 std::size_t allowanceFor(std::size_t triangles) {
-  constexpr std::size_t kLeast = 8'000'000, kTimes = 8;
+  constexpr std::size_t kLeast = 3'000'000, kTimes = 4;
   return std::max(kLeast, kTimes * triangles);
 }
 
