@@ -33,6 +33,9 @@ constexpr std::size_t kSomeAttempts = 4;
 // Reach of a refinement in cells, and its growth from one to the next, so that they end.
 constexpr double kFirstReach = 0.5, kReachGrowth = 1.4;
 
+// What a triangle that meets others costs while it is settled, in triangles that are just assembled.
+constexpr std::size_t kMeetingCost = 100;
+
 // The largest triangle of the sweep that is given over for the sake of others, in squares of a cell.
 constexpr double kLargestGiven = 1000;
 
@@ -320,8 +323,9 @@ std::optional<Reconstruction> complete(const TriangleMesh& surface, const Closes
     }
     const std::size_t triangles = attempt.assembly().mesh.triangles.size();
     if (!task.allowance) task.allowance = &allowance.emplace(allowanceFor(triangles));
-    const bool spent = *task.allowance < triangles;
-    if (task.cut && !spent) *task.allowance -= triangles;
+    const std::size_t cost = triangles + kMeetingCost * meeting.size();
+    const bool spent = *task.allowance < cost;
+    if (task.cut && !spent) *task.allowance -= cost;
     const double work = static_cast<double>(round + 1) * task.area / (width * width);
     const bool tired = (round + 1 >= kSomeAttempts && work > kMostWork) || (task.cut && spent);
     const bool lifted = !tired && attempt.liftWalls(meeting);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <functional>
+#include <utility>
 
 #include "exact/predicates.h"
 #include "mesh/float_lattice.h"
@@ -55,9 +56,11 @@ class Settler {
     exact::PairSearch search(a_.mesh, most_, threads_);
     pairs_ = search.all(clear_, context_, threads_);
     findFlat();
+    metBefore_ = pairs_.size() + flat_.size();
     for (int round = 0; round < kBackwards + kRelaxations && !done(); ++round) {
       context_.throwIfCancelled();
       const int relaxation = round - kBackwards;
+      if (relaxation >= 0 && relaxation % kPatience == 0 && isHopeless()) break;
       std::vector<VertexId> moved;
       if (round < kBackwards)
         moved = goBack(involved(0, false), round + 1 == kBackwards);
@@ -77,6 +80,10 @@ class Settler {
   static constexpr int kBetweenLifts = 2;
   static constexpr int kContourAlone = 8;  // relaxations before the ends of walls move with it
   static constexpr int kMostLifts = 3;
+  // Where a great many meet, rounds that do not make them much fewer are the last.
+  static constexpr int kPatience = 4;
+  static constexpr std::size_t kMany = 5000;
+  static constexpr double kFewer = 2.0 / 3;
 
   Vec3& position(std::size_t i) { return a_.mesh.positions[a_.carrierVertices + i]; }
   // Whether rounding may have moved the triangle out of the plane of the one that was proved.
@@ -89,6 +96,13 @@ class Settler {
   [[nodiscard]] bool isFlat(TriangleId t) const {
     const auto& [a, b, c] = a_.mesh.triangles[t];
     return exact::collinear(a_.mesh.positions[a], a_.mesh.positions[b], a_.mesh.positions[c]);
+  }
+
+  // Whether as many meet as when this was asked the last time.
+  [[nodiscard]] bool isHopeless() {
+    const std::size_t now = pairs_.size() + flat_.size();
+    const std::size_t before = std::exchange(metBefore_, now);
+    return now > kMany && double(now) > kFewer * double(before);
   }
 
   void findFlat() {
@@ -206,6 +220,7 @@ class Settler {
   std::vector<std::uint8_t> clear_;  ///< of each other; 0 for what has moved
   std::vector<exact::TrianglePair> pairs_;
   Ids flat_;
+  std::size_t metBefore_ = 0;  ///< pairs and flat ones, when isHopeless() was asked
 };
 
 }  // namespace
