@@ -14,12 +14,12 @@ namespace thicken {
 
 /// What is to be contoured below a carrier.
 struct ContourTask {
-  std::vector<std::uint8_t> keep;  ///< per triangle of the sweep: part of the carrier
-  double area = 0;                 ///< of the rest, mm²
-  double width = 0;                ///< of the cells, mm
-  std::size_t crossings = 0;       ///< that it makes at most
-  WorkingSet working;              ///< for so many
-  bool mayKeepShell = false;       ///< whether the carrier may be given more of the sweep's shell
+  std::vector<std::uint8_t> keep;        ///< per triangle of the sweep: part of the carrier
+  double area = 0;                       ///< of the rest, mm²
+  double width = 0;                      ///< of the cells, mm
+  std::size_t crossings = 0;             ///< that it makes at most
+  WorkingSet working;                    ///< for so many
+  bool mayKeepShell = false;             ///< whether the carrier may be given more of the sweep's shell
   std::vector<std::uint8_t> openable{};  ///< per triangle of the sweep: may be given over; empty: its shell
   std::vector<std::uint8_t> left{};  ///< per triangle of the sweep: kept for want of better where it is kept;
                                      ///< empty: where `keep` does not have it
@@ -36,26 +36,5 @@ struct ContourTask {
                                                      ContourTask task, const Options& options,
                                                      const RunContext& context, int threads,
                                                      Stopwatch& watch);
-
-/// complete() in a window, in cells that need not be; `task` says in which. `held`: bytes beside it. Nothing,
-/// too, where they are too many for the grid's keys or for the memory limit, where S touches their grid
-/// wherever it lies, or where what is made does not stay within the window. Throws kCancelled.
-[[nodiscard]] std::optional<Reconstruction> completeWindow(const TriangleMesh& surface,
-                                                           const ClosestPointTree& tree, const Window& window,
-                                                           ContourTask task, std::size_t held,
-                                                           const Options& options, const RunContext& context,
-                                                           int threads, Stopwatch& watch);
-
-/// How deep the solid is below each vertex of S, as Reconstruction::depth: to where the field ends along the
-/// normal, or to the copy that was left there.
-[[nodiscard]] std::vector<double> depthsOf(const Reconstruction& made, const TriangleMesh& surface,
-                                           const ClosestPointTree& tree, double r, const RunContext& context,
-                                           int threads);
-
-/// How much of a boundary of so many triangles its finer parts may cost, as ContourTask::allowance.
-[[nodiscard]] std::size_t allowanceFor(std::size_t triangles);
-
-/// Whether cells of `width` mm are few enough for `area` mm² to be made again in them.
-[[nodiscard]] bool fewCells(double width, double area);
 
 }  // namespace thicken

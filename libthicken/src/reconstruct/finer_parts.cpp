@@ -6,8 +6,9 @@
 
 #include "mesh/topology.h"
 #include "parallel_for.h"
-#include "reconstruct/complete.h"
+#include "reconstruct/close_finer.h"
 #include "reconstruct/cut_around.h"
+#include "reconstruct/depths.h"
 #include "reconstruct/shell_plan.h"
 
 namespace thicken {

@@ -6,6 +6,7 @@
 
 #include "measure/measure.h"
 #include "measure/stopwatch.h"
+#include "reconstruct/close_finer.h"
 #include "reconstruct/complete.h"
 #include "reconstruct/finer_parts.h"
 #include "reconstruct/shell_plan.h"

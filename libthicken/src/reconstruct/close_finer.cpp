@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "reconstruct/close_finer.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "reconstruct/holes.h"
+#include "thicken/error.h"
+
+namespace thicken {
+
+namespace {
+
+// The triangles of `meeting` in zones that were given up.
+std::vector<TriangleId> meetingIn(const Assembly& assembly, std::span<const TriangleId> meeting,
+                                  std::span<const Bounds> zones) {
+  std::vector<TriangleId> in;
+  for (const TriangleId t : meeting) {
+    Bounds b;
+    for (const VertexId v : assembly.mesh.triangles[t]) b.add(assembly.mesh.positions[v]);
+    if (std::any_of(zones.begin(), zones.end(), [&](const Bounds& zone) { return zone.overlaps(b); }))
+      in.push_back(t);
+  }
+  return in;
+}
+
+// The zones of the windows that come near what was given up.
+std::vector<Bounds> zonesAmong(std::span<const Window> windows, std::span<const Bounds> givenUp) {
+  std::vector<Bounds> zones;
+  for (const Window& window : windows)
+    if (std::any_of(givenUp.begin(), givenUp.end(),
+                    [&](const Bounds& zone) { return zone.overlaps(window.zone); }))
+      zones.push_back(window.zone);
+  return zones;
+}
+
+}  // namespace
+
+Closing closedFiner(const TriangleMesh& surface, const ClosestPointTree& tree, const SweepResult& swept,
+                    const ContourTask& task, const Attempt& attempt, std::span<const TriangleId> meeting,
+                    std::vector<Bounds>& givenUp, const Options& options, const RunContext& context,
+                    int threads, Stopwatch& watch) {
+  constexpr double kFiner = 0.5;
+  constexpr std::size_t kCarriedBytes = 700;  // for each triangle of the carrier beyond S
+  constexpr int kMostTimes = 5;
+  // What meets along a curve at any width meets in twice as many triangles of half the size.
+  constexpr double kGrowth = 1.5;
+  Closing closing{std::nullopt, {meeting.begin(), meeting.end()}};
+  const bool isHopeless = task.refined > 0 && double(meeting.size()) > kGrowth * double(task.meeting);
+  if (task.refined == kMostTimes || isHopeless) return closing;
+  const std::size_t carried = attempt.assembly().mesh.triangles.size() - surface.triangles.size();
+  const std::size_t held = heldBytes(surface) + carried * kCarriedBytes;
+  if (const std::size_t limit = context.memoryLimit(); limit != 0 && held > limit) return closing;
+  const auto holes = holesOf(surface, swept, attempt, task, meeting, context, threads);
+  if (!holes) return closing;
+  ContourTask finer;
+  finer.width = kFiner * task.width;
+  finer.refined = task.refined + 1;
+  finer.allowance = task.allowance;
+  const std::vector<Window> windows = windowsOf(surface, *holes, options.thickness, finer.width, threads);
+  if (windows.empty()) return closing;
+  std::vector<Bounds> stuck = zonesAmong(windows, givenUp);
+  const bool isOpen = stuck.empty();
+  std::vector<std::optional<Reconstruction>> made(windows.size());
+  for (std::size_t i = 0; isOpen && i < windows.size(); ++i) {
+    finer.meeting = meetingIn(attempt.assembly(), meeting, {&windows[i].zone, 1}).size();
+    made[i] = completeWindow(surface, tree, windows[i], finer, held, options, context, threads, watch);
+    if (made[i]) continue;
+    stuck.push_back(windows[i].zone);
+    // The others are tried, too, where it is of use to know all that cannot be closed.
+    if (!task.mayKeepShell) return closing;
+  }
+  if (stuck.empty()) {
+    closing.made = withWindows(surface, *holes, windows, made);
+    if (!closing.made) return closing;
+    for (VertexId& v : closing.made->origin)
+      if (v >= swept.mesh.positions.size()) v = kNone;
+    return closing;
+  }
+  if (isOpen) givenUp.insert(givenUp.end(), stuck.begin(), stuck.end());
+  if (auto there = meetingIn(attempt.assembly(), meeting, stuck); !there.empty())
+    closing.stuck = std::move(there);
+  return closing;
+}
+
+std::optional<Reconstruction> completeWindow(const TriangleMesh& surface, const ClosestPointTree& tree,
+                                             const Window& window, ContourTask task, std::size_t held,
+                                             const Options& options, const RunContext& context, int threads,
+                                             Stopwatch& watch) {
+  task.area = window.area;
+  if (!(task.area > 0) || !fewCells(task.width, task.area)) return std::nullopt;
+  task.crossings = mostCrossings(task.area, task.width);
+  task.working = workingSetFor(task.crossings, held, context);
+  task.keep = window.part.keep;
+  task.openable = window.part.openable;
+  task.left = window.part.left;
+  task.cut = window.cut;
+  try {
+    requireCells(surface, options.thickness, task.width);
+    auto made =
+        complete(surface, tree, window.part.carried, std::move(task), options, context, threads, watch);
+    if (made && !staysWithin(window, *made)) return std::nullopt;
+    return made;
+  } catch (const Error& e) {
+    if (e.code() == ErrorCode::kCancelled) throw;
+    return std::nullopt;
+  }
+}
+
+std::size_t allowanceFor(std::size_t triangles) {
+  constexpr std::size_t kLeast = 3'000'000, kTimes = 4;
+  return std::max(kLeast, kTimes * triangles);
+}
+
+bool fewCells(double width, double area) {
+  constexpr double kMostCells = 1e5;
+  return area <= kMostCells * width * width;
+}
+
+}  // namespace thicken

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "reconstruct/depths.h"
+
+#include <algorithm>
+
+#include "mesh/normals.h"
+#include "mesh/topology.h"
+#include "parallel_for.h"
+
+namespace thicken {
+
+namespace {
+
+// How deep the solid is below each vertex: to where the field ends along the normal. Where the rim is nearest
+// it is the wall that ends there, if the way down to it is about as long as the rim is far; a rim that is
+// nearer is another part's, beyond the end of the field.
+std::vector<double> fieldDepths(const TriangleMesh& surface, const ClosestPointTree& tree, double r,
+                                const RunContext& context, int threads) {
+  const auto normal = vertexNormals(surface.positions, surface.triangles,
+                                    faceNormals(surface.positions, surface.triangles, threads), threads);
+  std::vector<double> depth(surface.positions.size(), r);
+  constexpr int kSteps = 5;
+  constexpr double kOwnRim = 0.9;
+  parallelFor(depth.size(), threads, context, 128, [&](std::size_t v) {
+    double good = 0, bad = r;
+    for (int i = 0; i < kSteps; ++i) {
+      const double h = i == 0 ? 0.95 * r : (good + bad) / 2;
+      const Vec3 p = surface.positions[v] - h * normal[v];
+      const auto c = tree.closest(p);
+      const bool inside = c->onRim ? c->distance >= kOwnRim * h : insideThickened(p, *c, r);
+      (inside ? good : bad) = h;
+      if (i == 0 && inside) break;
+    }
+    depth[v] = good >= 0.95 * r ? r : good;
+  });
+  return depth;
+}
+
+}  // namespace
+
+std::vector<double> depthsOf(const SweepResult& swept, std::span<const std::uint8_t> keep,
+                             const TriangleMesh& surface, const ClosestPointTree& tree, double r,
+                             const RunContext& context, int threads) {
+  std::vector<double> depth = fieldDepths(surface, tree, r, context, threads);
+  for (std::size_t t = surface.triangles.size(); t < keep.size(); ++t) {
+    if (!keep[t] || swept.region[t] != Region::kShell) continue;
+    for (const VertexId v : swept.mesh.triangles[t]) {
+      if (swept.base[v] == kNone) continue;
+      double& at = depth[swept.base[v]];
+      at = std::min(at, swept.distance[v]);
+    }
+  }
+  return depth;
+}
+
+std::vector<double> depthsOf(const Reconstruction& made, const TriangleMesh& surface,
+                             const ClosestPointTree& tree, double r, const RunContext& context, int threads) {
+  std::vector<double> depth = fieldDepths(surface, tree, r, context, threads);
+  for (TriangleId t = 0; t < made.left.size(); ++t) {
+    if (!made.left[t]) continue;
+    for (const VertexId v : made.mesh.triangles[t]) {
+      if (made.base[v] == kNone) continue;
+      double& at = depth[made.base[v]];
+      at = std::min(at, tree.distance(made.mesh.positions[v]));
+    }
+  }
+  return depth;
+}
+
+}  // namespace thicken

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// How deep a reconstructed solid is below the vertices of S.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "reconstruct/reconstruct.h"
+
+namespace thicken {
+
+/// Below each vertex of `surface`, mm: to where the field of thickness `r` ends along the normal, or to the
+/// copy of it where pieces of the shell of `swept` are kept; `keep`: flags per triangle of it.
+[[nodiscard]] std::vector<double> depthsOf(const SweepResult& swept, std::span<const std::uint8_t> keep,
+                                           const TriangleMesh& surface, const ClosestPointTree& tree,
+                                           double r, const RunContext& context, int threads);
+
+/// The same of `made`: to the copies that were left there.
+[[nodiscard]] std::vector<double> depthsOf(const Reconstruction& made, const TriangleMesh& surface,
+                                           const ClosestPointTree& tree, double r, const RunContext& context,
+                                           int threads);
+
+}  // namespace thicken
