@@ -2,6 +2,10 @@
 #include "contour/follow.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <functional>
 #include <utility>
 
 #include "contour/face_matching.h"
@@ -47,13 +51,33 @@ class Follower {
     follow();
   }
 
-  // The seeds that the contour has not come by yet.
+  // The seeds that the contour has not come by yet, moved onto it. A surface that is finer than the cells has
+  // many of them side by side, which would lead to the same places.
   [[nodiscard]] std::vector<Vec3> placed(const Seeds& seeds) const {
-    std::vector<Vec3> points;
-    for (const Vec3& p : seeds.points)
-      if (!isCrossed(cellOf(p))) points.push_back(p);
+    constexpr double kApart = 0.25;  // cells
+    struct Candidate {
+      std::array<std::int64_t, 3> part;
+      std::size_t seed;
+      bool operator<(const Candidate& b) const { return part != b.part ? part < b.part : seed < b.seed; }
+    };
+    std::vector<Candidate> candidates;
+    for (std::size_t i = 0; i < seeds.points.size(); ++i) {
+      const Vec3& p = seeds.points[i];
+      if (isCrossed(cellOf(p))) continue;
+      Candidate candidate{{}, i};
+      for (int k = 0; k < 3; ++k)
+        candidate.part[k] = static_cast<std::int64_t>(std::floor(p[k] / (kApart * grid_.width())));
+      candidates.push_back(candidate);
+    }
+    parallelSort(candidates, std::less<>(), threads_);
+    const auto last = std::unique(candidates.begin(), candidates.end(),
+                                  [](const Candidate& a, const Candidate& b) { return a.part == b.part; });
+    std::vector<std::size_t> some;
+    for (auto at = candidates.begin(); at != last; ++at) some.push_back(at->seed);
+    std::sort(some.begin(), some.end());
+    std::vector<Vec3> points(some.size());
     parallelFor(points.size(), threads_, context_, 256,
-                [&](std::size_t i) { points[i] = seeds.toContour(points[i]); });
+                [&](std::size_t i) { points[i] = seeds.toContour(some[i]); });
     return points;
   }
 

@@ -16,14 +16,16 @@ namespace thicken {
 /// Points near the contour, for parts of it that hang together with no rim.
 struct Seeds {
   std::vector<Vec3> points;
-  std::function<Vec3(const Vec3&)> toContour;  ///< moves such a point onto it; called on any thread
+  /// Such a point moved onto the contour, by its place in `points`; called on any thread.
+  std::function<Vec3(std::size_t)> toContour;
 };
 
 /// Says where a part of an edge is crossed, while the samples of its nodes are known; called on any thread.
 using Placing = std::function<Crossing(const EdgePart&)>;
 
 /// All crossings of what hangs together with `rimCells` or with `seeds`, sorted by edge, then along it. Seeds
-/// in cells that the contour is already known to pass are not looked at. A field that may drop its
+/// in cells that the contour is already known to pass are not looked at, and of those in a quarter of a cell
+/// only the first. A field that may drop its
 /// nodes does so where it is full, and those that are wanted once more are evaluated once more; in the end it
 /// has none.
 [[nodiscard]] std::vector<Crossing> followContour(const UniformGrid& grid,

@@ -2,6 +2,7 @@
 #include "reconstruct/attempt.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "measure/stopwatch.h"
@@ -124,15 +125,27 @@ Vec3 Attempt::pushedToShell(Vec3 p) const {
   return p;
 }
 
-// The sweep's shell where the carrier does not have it.
-Seeds Attempt::openShell(std::span<const std::uint8_t> keep) const {
+// The sweep's shell where the carrier does not have it. Where it is pushed to is the same in every attempt.
+Seeds Attempt::openShell(std::span<const std::uint8_t> keep) {
+  constexpr double kNotYet = std::numeric_limits<double>::infinity();
+  const std::vector<Vec3>& swept = swept_.mesh.positions;
   Seeds seeds;
-  std::vector<std::uint8_t> seen(swept_.mesh.positions.size(), 0);
+  std::vector<VertexId> vertices;
+  std::vector<std::uint8_t> seen(swept.size(), 0);
   for (std::size_t t = 0; t < keep.size(); ++t)
     if (!keep[t])
       for (const VertexId v : swept_.mesh.triangles[t])
-        if (!std::exchange(seen[v], std::uint8_t{1})) seeds.points.push_back(swept_.mesh.positions[v]);
-  seeds.toContour = [this](const Vec3& p) { return pushedToShell(p); };
+        if (!std::exchange(seen[v], std::uint8_t{1})) {
+          seeds.points.push_back(swept[v]);
+          vertices.push_back(v);
+        }
+  if (!working_.isLean) pushed_.resize(swept.size(), Vec3::Constant(kNotYet));
+  seeds.toContour = [this, vertices = std::move(vertices)](std::size_t i) {
+    const VertexId v = vertices[i];
+    if (pushed_.empty()) return pushedToShell(swept_.mesh.positions[v]);
+    if (pushed_[v].x() == kNotYet) pushed_[v] = pushedToShell(swept_.mesh.positions[v]);
+    return pushed_[v];
+  };
   return seeds;
 }
 

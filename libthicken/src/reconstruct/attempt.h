@@ -43,7 +43,7 @@ class Attempt {
 
  private:
   [[nodiscard]] Vec3 pushedToShell(Vec3 p) const;
-  [[nodiscard]] Seeds openShell(std::span<const std::uint8_t> keep) const;
+  [[nodiscard]] Seeds openShell(std::span<const std::uint8_t> keep);
 
   DeepWalls walls_;
   Contourer contourer_;
@@ -56,6 +56,7 @@ class Attempt {
   const Cut* cut_;
   const RunContext& context_;
   int threads_;
+  std::vector<Vec3> pushed_;  ///< per vertex of the sweep, as far as an attempt asked for it; else infinite
   ProvedTriangles proved_;
   Assembly assembly_;
   Carrier carrier_;
