@@ -12,6 +12,7 @@
 #include "plain_shapes.h"
 #include "reconstruct/cut_around.h"
 #include "reconstruct/diagonals.h"
+#include "reconstruct/loose_parts.h"
 #include "reconstruct/strip_region.h"
 #include "reconstruct/window.h"
 #include "reconstruct/working_set.h"
@@ -386,6 +387,32 @@ TEST(Windows, ArePutTogetherToTheWhole) {
   // Beyond its zone nothing may change.
   divided.mesh.positions[middle].x() += 20;
   EXPECT_FALSE(staysWithin(windows[0], divided));
+}
+
+// A slab with a cavity, and beside it a part that is inside out: only what bounds something stays.
+TEST(Windows, LeaveNothingInsideOut) {
+  const TriangleMesh sheet = flat(6, 6);
+  Reconstruction made;
+  made.mesh = shapes::slab(sheet, 3);
+  const std::size_t own = made.mesh.positions.size(), ofSlab = made.mesh.triangles.size();
+  const auto add = [&](const TriangleMesh& part) {
+    const auto first = static_cast<VertexId>(made.mesh.positions.size());
+    made.mesh.positions.insert(made.mesh.positions.end(), part.positions.begin(), part.positions.end());
+    for (const Triangle& t : part.triangles)
+      made.mesh.triangles.push_back({first + t[0], first + t[2], first + t[1]});
+  };
+  add(shapes::box({8, 1, -2}, {9, 2, -1}));
+  add(shapes::box({2, 2, -2}, {3, 3, -1}));
+  made.region.assign(made.mesh.triangles.size(), Region::kShell);
+  std::fill_n(made.region.begin(), sheet.triangles.size(), Region::kOriginal);
+  made.openable.assign(made.region.size(), 1);
+
+  dropMisplaced(made, sheet.positions.size(), 1);
+  EXPECT_EQ(made.mesh.triangles.size(), ofSlab + 12);
+  EXPECT_EQ(made.region.size(), ofSlab + 12);
+  EXPECT_EQ(made.openable.size(), ofSlab + 12);
+  EXPECT_EQ(made.mesh.positions.size(), own + 8);
+  for (const Vec3& p : made.mesh.positions) EXPECT_LE(p.x(), 6);
 }
 
 TEST(Reconstruct, NamesTheWidthThatFitsTheMemory) {

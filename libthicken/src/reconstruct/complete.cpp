@@ -180,7 +180,7 @@ class Completion {
 
   Reconstruction closed(Reconstruction made) const {
     if (task_.cut) return made;
-    dropMisplaced(made, threads_);
+    dropMisplaced(made, surface_.positions.size(), threads_);
     made.depth = depthsOf(made, surface_, tree_, options_.thickness, context_, threads_);
     return made;
   }

@@ -9,6 +9,7 @@
 #include "reconstruct/close_finer.h"
 #include "reconstruct/cut_around.h"
 #include "reconstruct/depths.h"
+#include "reconstruct/loose_parts.h"
 #include "reconstruct/shell_plan.h"
 
 namespace thicken {
@@ -77,6 +78,7 @@ std::optional<Reconstruction> contouredAgain(const Reconstruction& made, const F
   if (!joined) return std::nullopt;
   Reconstruction& finer = *joined;
   finer.origin.clear();
+  dropMisplaced(finer, surface.positions.size(), threads);
   finer.depth = depthsOf(finer, surface, tree, options.thickness, context, threads);
   finer.rounds += made.rounds;
   finer.cells += made.cells;

@@ -7,6 +7,7 @@
 #include "exact/box_tree.h"
 #include "mesh/bounds.h"
 #include "mesh/half_edges.h"
+#include "reconstruct/drop_unused.h"
 #include "thicken/error.h"
 
 namespace thicken {
@@ -88,7 +89,7 @@ void dropMisplaced(Assembly& assembly, int threads) {
   if (anyOf(drop)) dropParts(assembly, parts, drop);
 }
 
-void dropMisplaced(Reconstruction& made, int threads) {
+void dropMisplaced(Reconstruction& made, std::size_t surfaceVertices, int threads) {
   const Components parts = componentsOf(made.mesh.positions.size(), made.mesh.triangles, threads);
   const std::vector<std::uint8_t> drop = misplaced(made.mesh, made.region, parts, threads);
   if (!anyOf(drop)) return;
@@ -102,6 +103,7 @@ void dropMisplaced(Reconstruction& made, int threads) {
   erase(made.region);
   erase(made.openable);
   erase(made.left);
+  dropUnused(made, surfaceVertices);
 }
 
 void requireNoLoosePart(const Assembly& assembly, int threads) {

@@ -15,7 +15,8 @@ void dropSpecks(Assembly& assembly, double width, int threads);
 /// Removes pieces of a contour without meetings that turned inside out when they were shaped, or that
 /// float in nothing: exact, by where their lowest vertex lies.
 void dropMisplaced(Assembly& assembly, int threads);
-void dropMisplaced(Reconstruction& made, int threads);
+/// The same of what was put together; `surfaceVertices`: of S, which come first.
+void dropMisplaced(Reconstruction& made, std::size_t surfaceVertices, int threads);
 
 /// Throws kNoSolid where a part is the contour's alone: in a window nothing tells whether it is misplaced.
 void requireNoLoosePart(const Assembly& assembly, int threads);
