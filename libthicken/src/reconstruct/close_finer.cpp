@@ -11,6 +11,10 @@ namespace thicken {
 
 namespace {
 
+bool overlapsAny(std::span<const Bounds> zones, const Bounds& b) {
+  return std::any_of(zones.begin(), zones.end(), [&](const Bounds& zone) { return zone.overlaps(b); });
+}
+
 // The triangles of `meeting` in zones that were given up.
 std::vector<TriangleId> meetingIn(const Assembly& assembly, std::span<const TriangleId> meeting,
                                   std::span<const Bounds> zones) {
@@ -18,8 +22,7 @@ std::vector<TriangleId> meetingIn(const Assembly& assembly, std::span<const Tria
   for (const TriangleId t : meeting) {
     Bounds b;
     for (const VertexId v : assembly.mesh.triangles[t]) b.add(assembly.mesh.positions[v]);
-    if (std::any_of(zones.begin(), zones.end(), [&](const Bounds& zone) { return zone.overlaps(b); }))
-      in.push_back(t);
+    if (overlapsAny(zones, b)) in.push_back(t);
   }
   return in;
 }
@@ -28,10 +31,28 @@ std::vector<TriangleId> meetingIn(const Assembly& assembly, std::span<const Tria
 std::vector<Bounds> zonesAmong(std::span<const Window> windows, std::span<const Bounds> givenUp) {
   std::vector<Bounds> zones;
   for (const Window& window : windows)
-    if (std::any_of(givenUp.begin(), givenUp.end(),
-                    [&](const Bounds& zone) { return zone.overlaps(window.zone); }))
-      zones.push_back(window.zone);
+    if (overlapsAny(givenUp, window.zone)) zones.push_back(window.zone);
   return zones;
+}
+
+// Windows, and what could be made in them.
+struct Tried {
+  std::vector<Window> windows;
+  std::vector<std::optional<Reconstruction>> made;
+  std::vector<Bounds> stuck, tooNarrow;  // zones where nothing was; of them, those that were left
+};
+
+// The same with wider windows where they were too narrow. What was made in the others stays.
+Tried widened(const TriangleMesh& surface, const Holes& holes, double r, double width, int threads,
+              Tried narrow) {
+  Tried wide{windowsOf(surface, holes, r, width, threads, narrow.tooNarrow), {}, {}, {}};
+  for (const Window& window : wide.windows) {
+    auto& made = wide.made.emplace_back();
+    for (std::size_t i = 0; i < narrow.windows.size(); ++i)
+      if (narrow.windows[i].zone.low == window.zone.low && narrow.windows[i].zone.high == window.zone.high)
+        made = std::move(narrow.made[i]);
+  }
+  return wide;
 }
 
 }  // namespace
@@ -57,21 +78,37 @@ Closing closedFiner(const TriangleMesh& surface, const ClosestPointTree& tree, c
   finer.width = kFiner * task.width;
   finer.refined = task.refined + 1;
   finer.allowance = task.allowance;
-  const std::vector<Window> windows = windowsOf(surface, *holes, options.thickness, finer.width, threads);
-  if (windows.empty()) return closing;
-  std::vector<Bounds> stuck = zonesAmong(windows, givenUp);
+  Tried tried{windowsOf(surface, *holes, options.thickness, finer.width, threads), {}, {}, {}};
+  if (tried.windows.empty()) return closing;
+  std::vector<Bounds> stuck = zonesAmong(tried.windows, givenUp);
   const bool isOpen = stuck.empty();
-  std::vector<std::optional<Reconstruction>> made(windows.size());
-  for (std::size_t i = 0; isOpen && i < windows.size(); ++i) {
-    finer.meeting = meetingIn(attempt.assembly(), meeting, {&windows[i].zone, 1}).size();
-    made[i] = completeWindow(surface, tree, windows[i], finer, held, options, context, threads, watch);
-    if (made[i]) continue;
-    stuck.push_back(windows[i].zone);
-    // The others are tried, too, where it is of use to know all that cannot be closed.
-    if (!task.mayKeepShell) return closing;
+  if (isOpen) {
+    const auto closeEach = [&] {
+      for (std::size_t i = 0; i < tried.windows.size(); ++i) {
+        if (tried.made[i]) continue;
+        const Window& window = tried.windows[i];
+        finer.meeting = meetingIn(attempt.assembly(), meeting, {&window.zone, 1}).size();
+        InWindow in = completeWindow(surface, tree, window, finer, held, options, context, threads, watch);
+        tried.made[i] = std::move(in.made);
+        if (tried.made[i]) continue;
+        tried.stuck.push_back(window.zone);
+        if (in.isTooNarrow) tried.tooNarrow.push_back(window.zone);
+        // The others are tried, too, where it is of use to know all that cannot be closed.
+        if (!in.isTooNarrow && !task.mayKeepShell) return;
+      }
+    };
+    tried.made.resize(tried.windows.size());
+    closeEach();
+    stuck = tried.stuck;
+    if (!stuck.empty() && stuck.size() == tried.tooNarrow.size()) {
+      tried = widened(surface, *holes, options.thickness, finer.width, threads, std::move(tried));
+      closeEach();
+      std::erase_if(stuck, [&](const Bounds& zone) { return !overlapsAny(tried.stuck, zone); });
+    }
+    if (!stuck.empty() && !task.mayKeepShell) return closing;
   }
   if (stuck.empty()) {
-    closing.made = withWindows(surface, *holes, windows, made);
+    closing.made = withWindows(surface, *holes, tried.windows, tried.made);
     if (!closing.made) return closing;
     for (VertexId& v : closing.made->origin)
       if (v >= swept.mesh.positions.size()) v = kNone;
@@ -83,12 +120,11 @@ Closing closedFiner(const TriangleMesh& surface, const ClosestPointTree& tree, c
   return closing;
 }
 
-std::optional<Reconstruction> completeWindow(const TriangleMesh& surface, const ClosestPointTree& tree,
-                                             const Window& window, ContourTask task, std::size_t held,
-                                             const Options& options, const RunContext& context, int threads,
-                                             Stopwatch& watch) {
+InWindow completeWindow(const TriangleMesh& surface, const ClosestPointTree& tree, const Window& window,
+                        ContourTask task, std::size_t held, const Options& options, const RunContext& context,
+                        int threads, Stopwatch& watch) {
   task.area = window.area;
-  if (!(task.area > 0) || !fewCells(task.width, task.area)) return std::nullopt;
+  if (!(task.area > 0) || !fewCells(task.width, task.area)) return {};
   task.crossings = mostCrossings(task.area, task.width);
   task.working = workingSetFor(task.crossings, held, context);
   task.keep = window.part.keep;
@@ -99,11 +135,13 @@ std::optional<Reconstruction> completeWindow(const TriangleMesh& surface, const 
     requireCells(surface, options.thickness, task.width);
     auto made =
         complete(surface, tree, window.part.carried, std::move(task), options, context, threads, watch);
-    if (made && !staysWithin(window, *made)) return std::nullopt;
-    return made;
+    if (made && !staysWithin(window, *made)) return {std::nullopt, true};
+    return {std::move(made), false};
+  } catch (const LeavesWindow&) {
+    return {std::nullopt, true};
   } catch (const Error& e) {
     if (e.code() == ErrorCode::kCancelled) throw;
-    return std::nullopt;
+    return {};
   }
 }
 

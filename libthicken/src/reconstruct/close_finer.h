@@ -29,14 +29,18 @@ struct Closing {
                                   const Options& options, const RunContext& context, int threads,
                                   Stopwatch& watch);
 
-/// complete() in a window, in cells that need not be; `task` says in which. `held`: bytes beside it. Nothing,
-/// too, where they are too many for the grid's keys or for the memory limit, where S touches their grid
-/// wherever it lies, or where what is made does not stay within the window. Throws kCancelled.
-[[nodiscard]] std::optional<Reconstruction> completeWindow(const TriangleMesh& surface,
-                                                           const ClosestPointTree& tree, const Window& window,
-                                                           ContourTask task, std::size_t held,
-                                                           const Options& options, const RunContext& context,
-                                                           int threads, Stopwatch& watch);
+struct InWindow {
+  std::optional<Reconstruction> made;
+  bool isTooNarrow = false;  ///< whether what would be made does not stay within the window
+};
+
+/// complete() in a window, in cells that need not be; `task` says in which. `held`: bytes beside it. Nothing
+/// is made, too, where they are too many for the grid's keys or for the memory limit, where S touches their
+/// grid wherever it lies, or where the window is too narrow. Throws kCancelled.
+[[nodiscard]] InWindow completeWindow(const TriangleMesh& surface, const ClosestPointTree& tree,
+                                      const Window& window, ContourTask task, std::size_t held,
+                                      const Options& options, const RunContext& context, int threads,
+                                      Stopwatch& watch);
 
 /// How much of a boundary of so many triangles its finer parts may cost, as ContourTask::allowance.
 [[nodiscard]] std::size_t allowanceFor(std::size_t triangles);

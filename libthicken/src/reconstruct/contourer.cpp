@@ -108,8 +108,7 @@ Contour Contourer::attempt(const Carrier& carrier, const Membership& membership,
   const auto placing = [&](const EdgePart& part) {
     const Crossing* old = recalled(part);
     const Crossing crossing = old != nullptr ? *old : placed(part, grid_, *field_, membership);
-    if (cut_ != nullptr && !cut_->zone.contains(crossing.at))
-      throw Error(ErrorCode::kNoSolid, "the contour leaves its window");
+    if (cut_ != nullptr && !cut_->zone.contains(crossing.at)) throw LeavesWindow();
     return crossing;
   };
   made.crossings = followContour(grid_, rimCells(made.ways), seeds, crossed, membership, *field_, placing,

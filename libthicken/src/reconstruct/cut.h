@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mesh/bounds.h"
+#include "thicken/error.h"
 
 namespace thicken {
 
@@ -15,6 +16,12 @@ struct Cut {
   std::vector<Edge> edges;  ///< ascending; of the window's triangles, in their direction: the boundary goes
                             ///< on beyond them
   Bounds zone;              ///< the contour that is made in the window must not leave it
+};
+
+/// Thrown where a contour would leave the zone of its window; a larger one may do.
+class LeavesWindow : public Error {
+ public:
+  LeavesWindow() : Error(ErrorCode::kNoSolid, "the contour leaves its window") {}
 };
 
 }  // namespace thicken

@@ -70,7 +70,8 @@ std::optional<Reconstruction> contouredAgain(const Reconstruction& made, const F
   bool any = false;
   for (std::size_t i = 0; i < windows.size(); ++i) {
     inWindow[i] =
-        completeWindow(surface, tree, windows[i], task, heldBytes(surface), options, context, threads, watch);
+        completeWindow(surface, tree, windows[i], task, heldBytes(surface), options, context, threads, watch)
+            .made;
     any |= inWindow[i].has_value();
   }
   if (!any) return std::nullopt;

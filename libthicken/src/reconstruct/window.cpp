@@ -17,8 +17,9 @@ namespace thicken {
 
 namespace {
 
-// Cells that a contour may go beyond what it is to replace, and that its triangles may.
-constexpr double kFollowed = 16, kMargin = 20;
+// Cells that a contour's triangles may go beyond what it is to replace, where that is enough and where it is
+// not, and that they may go beyond its vertices.
+constexpr double kMargin = 20, kWideMargin = 100, kBeyondContour = 4;
 // Holes of more pieces are closed in one window.
 constexpr std::size_t kMostPieces = 512;
 
@@ -28,8 +29,10 @@ Bounds grown(Bounds b, double by) {
   return b;
 }
 
-// Boxes that hold whole pieces of what is open, each grown by `margin` mm and clear of the others.
-std::vector<Bounds> zonesOf(const Holes& holes, double margin, int threads) {
+// Boxes that hold whole pieces of what is open, each grown by the margin in cells of `width` mm and clear of
+// the others.
+std::vector<Bounds> zonesOf(const Holes& holes, double width, std::span<const Bounds> tooNarrow,
+                            int threads) {
   const TriangleMesh& mesh = holes.carried.mesh;
   std::vector<Triangle> open;
   for (TriangleId t = 0; t < holes.keep.size(); ++t)
@@ -40,7 +43,11 @@ std::vector<Bounds> zonesOf(const Holes& holes, double margin, int threads) {
   std::vector<Bounds> zones(asOne ? 1 : pieces.count);
   for (std::size_t t = 0; t < open.size(); ++t)
     for (const VertexId v : open[t]) zones[asOne ? 0 : pieces.ofTriangle[t]].add(mesh.positions[v]);
-  for (Bounds& zone : zones) zone = grown(zone, margin);
+  for (Bounds& zone : zones) {
+    const bool isNarrow = std::any_of(tooNarrow.begin(), tooNarrow.end(),
+                                      [&](const Bounds& narrow) { return narrow.overlaps(zone); });
+    zone = grown(zone, (isNarrow ? kWideMargin : kMargin) * width);
+  }
   for (std::size_t i = 0; i < zones.size();) {
     const auto other = std::find_if(zones.begin() + static_cast<std::ptrdiff_t>(i) + 1, zones.end(),
                                     [&](const Bounds& zone) { return zone.overlaps(zones[i]); });
@@ -318,12 +325,12 @@ class Joiner {
 }  // namespace
 
 std::vector<Window> windowsOf(const TriangleMesh& surface, const Holes& holes, double r, double width,
-                              int threads) {
-  const std::vector<Bounds> zones = zonesOf(holes, kMargin * width, threads);
+                              int threads, std::span<const Bounds> tooNarrow) {
+  const std::vector<Bounds> zones = zonesOf(holes, width, tooNarrow, threads);
   std::vector<Window> windows;
   if (zones.empty()) return windows;
   // What is near a triangle of S whose copy, or whose wall, is near the zone.
-  WindowMaker maker(surface, holes, (kMargin - kFollowed) * width, 2 * r + kMargin * width, threads);
+  WindowMaker maker(surface, holes, kBeyondContour * width, 2 * r + kMargin * width, threads);
   for (const Bounds& zone : zones) windows.push_back(maker.around(zone));
   return windows;
 }

@@ -34,8 +34,10 @@ struct Window {
 };
 
 /// Windows whose zones are disjoint, for contours with cells of `width` mm of the field with thickness `r`.
+/// Those that reach into `tooNarrow` are made several times wider than usual.
 [[nodiscard]] std::vector<Window> windowsOf(const TriangleMesh& surface, const Holes& holes, double r,
-                                            double width, int threads);
+                                            double width, int threads,
+                                            std::span<const Bounds> tooNarrow = {});
 
 /// Whether all vertices that are new in a window, or moved, lie in its zone.
 [[nodiscard]] bool staysWithin(const Window& window, const Reconstruction& made);
