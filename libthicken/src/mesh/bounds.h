@@ -3,7 +3,9 @@
 // Axis-parallel bounding boxes in doubles.
 #pragma once
 
+#include <algorithm>
 #include <limits>
+#include <span>
 
 #include "thicken/mesh.h"
 
@@ -34,6 +36,16 @@ struct Bounds {
   for (const Triangle& t : mesh.triangles)
     for (const VertexId v : t) b.add(mesh.positions[v]);
   return b;
+}
+
+[[nodiscard]] inline Bounds boundsOf(const TriangleMesh& mesh, const Triangle& triangle) {
+  Bounds b;
+  for (const VertexId v : triangle) b.add(mesh.positions[v]);
+  return b;
+}
+
+[[nodiscard]] inline bool overlapsAny(std::span<const Bounds> boxes, const Bounds& b) {
+  return std::any_of(boxes.begin(), boxes.end(), [&](const Bounds& box) { return box.overlaps(b); });
 }
 
 }  // namespace thicken

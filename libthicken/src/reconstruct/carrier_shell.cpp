@@ -32,11 +32,7 @@ CarrierShell::CarrierShell(const SweepResult& swept, std::span<const std::uint8_
   if (anyOpenable) trimSpikes(swept.mesh, openable_, kLargestGiven * width * width, keep_);
   // Walls that were proved alone have none to separate.
   if (anyOpenable || swept.shellProved) separateFans();
-  mostOpen_ = std::max(openArea(), kManyBesideSweep * width * width);
-}
-
-double CarrierShell::openArea() const {
-  return thicken::openArea(swept_, keep_);
+  openAtFirst_ = openArea(swept, keep_);
 }
 
 bool CarrierShell::giveOver(const Assembly& assembly, std::span<const TriangleId> meeting, double reach) {
@@ -50,7 +46,7 @@ bool CarrierShell::giveOver(const Assembly& assembly, std::span<const TriangleId
     }
   if (keep_ == before) return false;
   separateFans();
-  if (openArea() > mostOpen_) keep_ = before;
+  if (openArea(swept_, keep_) > std::max(openAtFirst_, kManyBesideSweep * width_ * width_)) keep_ = before;
   return keep_ != before;
 }
 
@@ -77,8 +73,7 @@ bool CarrierShell::takeAllBack() {
 
 // What may be given over within `reach` mm of the box around a triangle.
 std::vector<TriangleId> CarrierShell::near(const TriangleMesh& mesh, TriangleId t, double reach) const {
-  Bounds b;
-  for (const VertexId v : mesh.triangles[t]) b.add(mesh.positions[v]);
+  const Bounds b = boundsOf(mesh, mesh.triangles[t]);
   return tree_.near(b.low - Vec3::Constant(reach), b.high + Vec3::Constant(reach));
 }
 

@@ -22,8 +22,8 @@ class CarrierShell {
                std::vector<std::uint8_t> keep, double width, int threads);
 
   [[nodiscard]] const std::vector<std::uint8_t>& keep() const { return keep_; }
-  /// What the carrier does not have, mm².
-  [[nodiscard]] double openArea() const;
+  /// What the carrier did not have before any was given over, mm².
+  [[nodiscard]] double openAtFirst() const { return openAtFirst_; }
 
   /// Gives pieces within `reach` mm of the triangles that meet over to the contour, with all that its own rim
   /// would pinch. Returns whether there were any; each is given over once, and large ones, of a great many
@@ -46,7 +46,7 @@ class CarrierShell {
   std::span<const std::uint8_t> openable_;
   std::vector<std::uint8_t> keep_;
   double width_;
-  double mostOpen_ = 0;
+  double openAtFirst_ = 0;
   std::vector<std::uint8_t> givenOver_;  ///< once
   exact::BoxTree tree_;                  ///< of what may be given over
 };

@@ -11,19 +11,12 @@ namespace thicken {
 
 namespace {
 
-bool overlapsAny(std::span<const Bounds> zones, const Bounds& b) {
-  return std::any_of(zones.begin(), zones.end(), [&](const Bounds& zone) { return zone.overlaps(b); });
-}
-
-// The triangles of `meeting` in zones that were given up.
+// The triangles of `meeting` that reach into the zones.
 std::vector<TriangleId> meetingIn(const Assembly& assembly, std::span<const TriangleId> meeting,
                                   std::span<const Bounds> zones) {
   std::vector<TriangleId> in;
-  for (const TriangleId t : meeting) {
-    Bounds b;
-    for (const VertexId v : assembly.mesh.triangles[t]) b.add(assembly.mesh.positions[v]);
-    if (overlapsAny(zones, b)) in.push_back(t);
-  }
+  for (const TriangleId t : meeting)
+    if (overlapsAny(zones, boundsOf(assembly.mesh, assembly.mesh.triangles[t]))) in.push_back(t);
   return in;
 }
 
@@ -39,13 +32,14 @@ std::vector<Bounds> zonesAmong(std::span<const Window> windows, std::span<const 
 struct Tried {
   std::vector<Window> windows;
   std::vector<std::optional<Reconstruction>> made;
-  std::vector<Bounds> stuck, tooNarrow;  // zones where nothing was; of them, those that were left
+  std::vector<Bounds> stuck;  // zones where nothing could be
+  bool mayWiden = true;       // whether wider windows may do for all of these
 };
 
-// The same with wider windows where they were too narrow. What was made in the others stays.
+// The same with wider windows where nothing could be made. What was made in the others stays.
 Tried widened(const TriangleMesh& surface, const Holes& holes, double r, double width, int threads,
               Tried narrow) {
-  Tried wide{windowsOf(surface, holes, r, width, threads, narrow.tooNarrow), {}, {}, {}};
+  Tried wide{windowsOf(surface, holes, r, width, threads, narrow.stuck), {}, {}};
   for (const Window& window : wide.windows) {
     auto& made = wide.made.emplace_back();
     for (std::size_t i = 0; i < narrow.windows.size(); ++i)
@@ -78,7 +72,7 @@ Closing closedFiner(const TriangleMesh& surface, const ClosestPointTree& tree, c
   finer.width = kFiner * task.width;
   finer.refined = task.refined + 1;
   finer.allowance = task.allowance;
-  Tried tried{windowsOf(surface, *holes, options.thickness, finer.width, threads), {}, {}, {}};
+  Tried tried{windowsOf(surface, *holes, options.thickness, finer.width, threads), {}, {}};
   if (tried.windows.empty()) return closing;
   std::vector<Bounds> stuck = zonesAmong(tried.windows, givenUp);
   const bool isOpen = stuck.empty();
@@ -92,7 +86,7 @@ Closing closedFiner(const TriangleMesh& surface, const ClosestPointTree& tree, c
         tried.made[i] = std::move(in.made);
         if (tried.made[i]) continue;
         tried.stuck.push_back(window.zone);
-        if (in.isTooNarrow) tried.tooNarrow.push_back(window.zone);
+        tried.mayWiden &= in.isTooNarrow;
         // The others are tried, too, where it is of use to know all that cannot be closed.
         if (!in.isTooNarrow && !task.mayKeepShell) return;
       }
@@ -100,7 +94,7 @@ Closing closedFiner(const TriangleMesh& surface, const ClosestPointTree& tree, c
     tried.made.resize(tried.windows.size());
     closeEach();
     stuck = tried.stuck;
-    if (!stuck.empty() && stuck.size() == tried.tooNarrow.size()) {
+    if (!stuck.empty() && tried.mayWiden) {
       tried = widened(surface, *holes, options.thickness, finer.width, threads, std::move(tried));
       closeEach();
       std::erase_if(stuck, [&](const Bounds& zone) { return !overlapsAny(tried.stuck, zone); });

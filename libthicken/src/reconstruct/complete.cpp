@@ -118,7 +118,6 @@ class Completion {
         threads_(threads),
         watch_(watch),
         shell_(swept, task_.openable, std::move(task_.keep), task_.width, threads),
-        wanted_(shell_.openArea()),
         attempt_(surface, tree, swept, options, task_.width, task_.working, task_.cut ? &*task_.cut : nullptr,
                  context, threads) {
     if (!task_.left.empty()) return;
@@ -191,7 +190,7 @@ class Completion {
     made.cells += attempt_.field().cells();
     made.nodes += attempt_.field().nodes();
     made.predicted = std::max(made.predicted, predictedBytes(task_, surface_, context_));
-    made.shellArea = wanted_;
+    made.shellArea = shell_.openAtFirst();
     return made;
   }
 
@@ -204,7 +203,6 @@ class Completion {
   int threads_;
   Stopwatch& watch_;
   CarrierShell shell_;
-  double wanted_;  ///< mm² that the contour was to make
   Attempt attempt_;
   std::size_t round_ = 0;
   int takenBack_ = 0, givenOver_ = 0;

@@ -6,8 +6,8 @@
 
 #include <optional>
 
+#include "reconstruct/cut.h"
 #include "reconstruct/reconstruct.h"
-#include "reconstruct/window.h"
 #include "reconstruct/working_set.h"
 
 namespace thicken {
@@ -26,7 +26,7 @@ struct ContourTask {
   int refined = 0;                   ///< times that finer cells were taken
   std::size_t meeting = 0;           ///< triangles that met before they were
   std::optional<Cut> cut{};          ///< where the sweep is a window of a boundary
-  std::size_t* allowance = nullptr;  ///< triangles of a boundary that attempts may make yet; null: any number
+  std::size_t* allowance = nullptr;  ///< what attempts at a boundary may cost yet, in triangles; null: any
 };
 
 /// The solid of a carrier that is `task.keep` of `swept`; nullopt where it would need more of the sweep's

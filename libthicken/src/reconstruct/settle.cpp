@@ -98,7 +98,7 @@ class Settler {
     return exact::collinear(a_.mesh.positions[a], a_.mesh.positions[b], a_.mesh.positions[c]);
   }
 
-  // Whether as many meet as when this was asked the last time.
+  // Whether a great many meet, and not much fewer than when this was asked the last time.
   [[nodiscard]] bool isHopeless() {
     const std::size_t now = pairs_.size() + flat_.size();
     const std::size_t before = std::exchange(metBefore_, now);

@@ -44,9 +44,7 @@ std::vector<Bounds> zonesOf(const Holes& holes, double width, std::span<const Bo
   for (std::size_t t = 0; t < open.size(); ++t)
     for (const VertexId v : open[t]) zones[asOne ? 0 : pieces.ofTriangle[t]].add(mesh.positions[v]);
   for (Bounds& zone : zones) {
-    const bool isNarrow = std::any_of(tooNarrow.begin(), tooNarrow.end(),
-                                      [&](const Bounds& narrow) { return narrow.overlaps(zone); });
-    zone = grown(zone, (isNarrow ? kWideMargin : kMargin) * width);
+    zone = grown(zone, (overlapsAny(tooNarrow, zone) ? kWideMargin : kMargin) * width);
   }
   for (std::size_t i = 0; i < zones.size();) {
     const auto other = std::find_if(zones.begin() + static_cast<std::ptrdiff_t>(i) + 1, zones.end(),
