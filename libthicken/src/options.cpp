@@ -27,4 +27,14 @@ std::string_view name(Method method) noexcept {
   return "unknown";
 }
 
+std::string_view name(Join join) noexcept {
+  switch (join) {
+    case Join::kMitre:
+      return "mitre";
+    case Join::kRound:
+      return "round";
+  }
+  return "unknown";
+}
+
 }  // namespace thicken

@@ -105,12 +105,17 @@ TEST(Reconstruct, IsRoundBelowEdgesOfTheirRadius) {
   EXPECT_LT(solid.report.shellErrorFullDepth.mean, 0.00015);
 }
 
-TEST(Auto, IsAsAccurateAsAContourOfTheWholeShell) {
+TEST(Auto, LeavesMitredCreasesToTheSweepAndMakesRoundOnes) {
   Options o;
   o.thickness = 0.8;
-  const Solid solid = thicken(valleys(), o);
-  EXPECT_EQ(solid.report.method, Method::kAuto);
-  EXPECT_LT(solid.report.shellErrorFullDepth.p99, 0.0015);
+  const Solid mitred = thicken(valleys(), o);
+  EXPECT_EQ(mitred.report.method, Method::kSweep);
+  EXPECT_LT(mitred.report.triangles, 3 * valleys().triangles.size());
+  o.join = Join::kRound;
+  const Solid round = thicken(valleys(), o);
+  EXPECT_EQ(round.report.method, Method::kAuto);
+  EXPECT_LT(round.report.shellErrorFullDepth.p99, 0.01);
+  EXPECT_LT(round.report.volume, mitred.report.volume);
 }
 
 class Diagonals : public ::testing::Test {
@@ -210,17 +215,23 @@ TEST(MostShellCrossings, AreALittleMoreThanTheContourMakes) {
   EXPECT_LT(expected, 1.25 * made);
 }
 
-TEST(Auto, TakesWiderCellsWhereTheLimitAsksForThem) {
+TEST(WidthWithRoom, IsWiderWhereTheLimitAsksForIt) {
+  const TriangleMesh surface = valleys();
   Options o;
   o.thickness = 0.25;
-  const Solid whole = thicken(valleys(), o);
-  ASSERT_GT(whole.report.cell, 0);
-  const std::size_t crossings = mostShellCrossings(valleys(), o.thickness, whole.report.cell, 1);
+  const double width = 0.05;
+  const std::size_t crossings = mostShellCrossings(surface, o.thickness, width, 1);
+  const std::size_t fits = heldBytes(surface) + leanBytes(crossings);
   RunContext context;
-  context.setMemoryLimit(heldBytes(valleys()) + leanBytes(crossings) * 9 / 10);
-  const Solid lean = thicken(valleys(), o, context);
-  EXPECT_GT(lean.report.cell, whole.report.cell);
-  EXPECT_LE(lean.report.predictedMemory, context.memoryLimit());
+  EXPECT_EQ(widthWithRoom(surface, crossings, width, o, context), width);
+  context.setMemoryLimit(fits);
+  EXPECT_EQ(widthWithRoom(surface, crossings, width, o, context), width);
+  context.setMemoryLimit(fits - leanBytes(crossings) / 20);
+  const double wider = widthWithRoom(surface, crossings, width, o, context);
+  EXPECT_GT(wider, width);
+  EXPECT_TRUE(hasRoomForField(surface, mostShellCrossings(surface, o.thickness, wider, 1), context));
+  o.cell = width;
+  EXPECT_EQ(widthWithRoom(surface, crossings, width, o, context), width) << "asked for by name";
 }
 
 // Pleats of a height of 3: sheets come together at an angle that no cell can tell apart near the fold.
@@ -234,6 +245,7 @@ TriangleMesh pleats(VertexId columns, VertexId rows, double length, double slope
 TEST(Reconstruct, TakesFinerCellsOnlyWhereSheetsAreTooClose) {
   Options o;
   o.thickness = 1;
+  o.method = Method::kReconstruct;
   const TriangleMesh sharp = pleats(24, 6, 6, 0.4);
   const Solid solid = thicken(sharp, o);
   EXPECT_LT(solid.report.finestCell, 0.6 * solid.report.cell);
@@ -247,6 +259,7 @@ TEST(Reconstruct, KeepsATightToleranceByFinerCellsAtCreases) {
   const TriangleMesh blunt = pleats(12, 4, 4, 1);
   Options o;
   o.thickness = 0.3;
+  o.method = Method::kReconstruct;
   const Solid loose = thicken(blunt, o);
   EXPECT_EQ(loose.report.finestCell, loose.report.cell);
   o.tolerance = 0.03 * o.thickness;

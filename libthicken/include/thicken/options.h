@@ -20,6 +20,12 @@ enum class Method {
   kReconstruct,  ///< the paper's field and partial reconstruction (§2 to §4)
 };
 
+/// What the shell is like outside of edges and corners of S that are convex on its side.
+enum class Join {
+  kMitre,  ///< planes at r, up to 2 r from S
+  kRound,  ///< r from S everywhere (Definition 2)
+};
+
 /// The precision that the result will be stored in. STL and FreeCAD's mesh kernel hold floats: new
 /// vertices are rounded to float in either case, S itself only where it has to be.
 enum class Precision {
@@ -34,6 +40,7 @@ struct Options {
   Precision precision = Precision::kDouble;
   std::optional<double> cell;       ///< cell width w of the field, < r/2 (Remark 1)
   std::optional<int> resolution;    ///< cells along the longest side of the box grown by r
+  std::optional<Join> join;         ///< round for kReconstruct and where there is a tolerance, else mitred
   std::optional<double> tolerance;  ///< farthest that the shell may be from its definition
   std::optional<int> smooth;        ///< rounds of shape optimisation (§4.3); 0 to 100
   bool repair = false;              ///< mend a defective input first and report every change (repair.h)
@@ -43,5 +50,6 @@ struct Options {
 
 [[nodiscard]] std::string_view name(Side side) noexcept;
 [[nodiscard]] std::string_view name(Method method) noexcept;
+[[nodiscard]] std::string_view name(Join join) noexcept;
 
 }  // namespace thicken

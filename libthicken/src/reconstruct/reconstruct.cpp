@@ -83,28 +83,30 @@ Reconstruction reconstruct(const TriangleMesh& surface, const ClosestPointTree& 
 std::optional<Reconstruction> deepen(const TriangleMesh& surface, const ClosestPointTree& tree,
                                      const SweepResult& swept, const Options& options,
                                      const RunContext& context, int threads, Stopwatch& watch) {
-  // Finer cells are for the worst places alone, with a seam around them. A contour of the whole shell has
-  // none.
-  constexpr double kCoarsest = 1.0 / 3;  // of r
   ShellPlan plan = planShell(surface, swept, tree, options, context, threads);
   if (plan.keepsAll()) return std::nullopt;
-  const double r = options.thickness, area = areaOf(surface);
-  WholeShell shell{area, shellShadows(surface, r, threads), cellWidth(surface, area, options)};
-  const auto crossingsOfAll = [&] { return mostShellCrossings(shell.shadows, shell.width); };
-  shell.width = widthWithRoom(surface, crossingsOfAll(), shell.width, options, context);
-  if (shell.width >= kCoarsest * r || !hasRoomForField(surface, crossingsOfAll(), context)) {
-    const double own = plan.width;
-    plan.width = widthWithRoom(surface, mostCrossings(plan.area, own), own, options, context);
-    if (!(plan.width < r / 2)) plan.width = own;  // which is refused
-    const std::size_t crossings = mostCrossings(plan.area, plan.width);
-    const WorkingSet working = requireRoomForField(surface, crossings, r, plan.width, context);
-    Reconstruction made = *complete(surface, tree, swept,
-                                    {std::move(plan.keep), plan.area, plan.width, crossings, working, true},
-                                    options, context, threads, watch);
-    return refined(std::move(made), surface, tree, options, context, threads, watch);
+  const double r = options.thickness;
+  if (options.tolerance) {
+    // Finer cells are for the worst places alone, with a seam around them. A contour of the whole shell has
+    // none, and keeps a tolerance more often.
+    constexpr double kCoarsest = 1.0 / 3;  // of r
+    const double area = areaOf(surface);
+    const WholeShell shell{area, shellShadows(surface, r, threads), cellWidth(surface, area, options)};
+    const std::size_t crossings = mostShellCrossings(shell.shadows, shell.width);
+    if (shell.width < kCoarsest * r && hasRoomForField(surface, crossings, context))
+      return wholeContour(
+          surface, tree, [&]() -> const SweepResult& { return swept; }, shell, options, context, threads,
+          watch);
   }
-  const auto asMade = [&]() -> const SweepResult& { return swept; };
-  return wholeContour(surface, tree, asMade, shell, options, context, threads, watch);
+  const double own = plan.width;
+  plan.width = widthWithRoom(surface, mostCrossings(plan.area, own), own, options, context);
+  if (!(plan.width < r / 2)) plan.width = own;  // which is refused
+  const std::size_t crossings = mostCrossings(plan.area, plan.width);
+  const WorkingSet working = requireRoomForField(surface, crossings, r, plan.width, context);
+  Reconstruction made =
+      *complete(surface, tree, swept, {std::move(plan.keep), plan.area, plan.width, crossings, working, true},
+                options, context, threads, watch);
+  return refined(std::move(made), surface, tree, options, context, threads, watch);
 }
 
 }  // namespace thicken

@@ -10,7 +10,8 @@
 namespace thicken {
 
 /// Sets the depth of every copy to the largest h for which the copy keeps most of its distance
-/// from S, and from sheets that face it all of it, at every depth up to h.
-void setInitialDepths(SweptMesh& mesh, const ClosestPointTree& tree, const RunContext& context, int threads);
+/// from S, and from sheets that face it all of it, at every depth up to h. Copies before `first` stay.
+void setInitialDepths(SweptMesh& mesh, const ClosestPointTree& tree, const RunContext& context, int threads,
+                      std::size_t first = 0);
 
 }  // namespace thicken

@@ -32,10 +32,8 @@ std::vector<TriangleId> trianglesAbove(std::span<const TriangleId> shell, const 
   std::vector<TriangleId> above(shell.size());
   parallelFor(shell.size(), threads, RunContext(), 4096, [&](std::size_t i) {
     const VertexId first = mesh.triangles[shell[i]][0];
-    const VertexId base = mesh.isCopy(first) ? mesh.copyOf(first).base : first;
-    const std::size_t own = shell[i] - mesh.surfaceTriangles;  // unless the shell has changed since
-    const bool isOwn = own < mesh.surfaceTriangles && std::ranges::count(mesh.triangles[own], base) > 0;
-    above[i] = isOwn ? static_cast<TriangleId>(own) : atVertex[base];
+    above[i] = mesh.above[shell[i]];
+    if (above[i] == kNone) above[i] = atVertex[mesh.isCopy(first) ? mesh.copyOf(first).base : first];
   });
   return above;
 }

@@ -30,8 +30,8 @@ constexpr double kDamping = 0.02;
 constexpr double kCutOff = 0.9;
 
 struct Sample {
-  Vec3 away = Vec3::Zero();  // unit, from the closest point; zero for a sample that does not count
-  double excess = 0;         // distance − r, mm
+  Vec3 away = Vec3::Zero();  // unit, where the error grows; zero for a sample that does not count
+  double excess = 0;         // mm, beyond its definition
   TriangleId nearest = 0;    // of S
 };
 
@@ -75,7 +75,8 @@ std::vector<TriangleId> wholeTriangles(const SweptMesh& mesh) {
 
 }  // namespace
 
-void polish(SweptMesh& mesh, const ClosestPointTree& tree, const RunContext& context, int threads) {
+void polish(SweptMesh& mesh, const ClosestPointTree& tree, const OffsetError& error,
+            const RunContext& context, int threads) {
   const auto shell = wholeTriangles(mesh);
   const std::size_t each = shellSamplesPerTriangle(shell.size());
   std::vector<Sample> samples(each * shell.size());
@@ -114,13 +115,13 @@ void polish(SweptMesh& mesh, const ClosestPointTree& tree, const RunContext& con
         },
         [&](std::uint32_t i, std::size_t k, const Vec3& p, const ClosestPoint& c) {
           const bool counts = !c.onRim && c.distance > kCutOff * mesh.thickness;
-          samples[each * i + k] = {counts ? Vec3((p - c.point) / c.distance) : Vec3(Vec3::Zero()),
-                                   c.distance - mesh.thickness, c.triangle};
+          const OffsetError::Error off = error.at(p, c);
+          samples[each * i + k] = {counts ? off.away : Vec3(Vec3::Zero()), off.mm, c.triangle};
         });
     // Each copy sums up in the order of the triangles, so that its place does not depend on the threads.
     parallelFor(mesh.copies.size(), threads, context, 1024, [&](std::size_t i) {
       Copy& c = mesh.copies[i];
-      if (c.depth != 1 || c.dropped || c.safety < kSafe) return;
+      if (c.depth != 1 || c.dropped || c.exact || c.safety < kSafe) return;
       const auto around =
           std::span(corners.values).subspan(corners.offset[i], corners.offset[i + 1] - corners.offset[i]);
       if (std::ranges::none_of(around, [&](std::uint32_t corner) { return open[corner / 3] != 0; })) return;

@@ -5,6 +5,7 @@
 // of its corners shares the error.
 #pragma once
 
+#include "measure/offset_error.h"
 #include "sweep/swept_mesh.h"
 #include "thicken/closest_point.h"
 #include "thicken/run_context.h"
@@ -12,7 +13,8 @@
 namespace thicken {
 
 /// Changes the offsets of copies of depth 1 by damped least squares over points of the shell: the sum
-/// of area·(distance − r)² goes down. The depths must be set; copies are placed anew.
-void polish(SweptMesh& mesh, const ClosestPointTree& tree, const RunContext& context, int threads);
+/// of area·error² goes down. The depths must be set; copies are placed anew.
+void polish(SweptMesh& mesh, const ClosestPointTree& tree, const OffsetError& error,
+            const RunContext& context, int threads);
 
 }  // namespace thicken

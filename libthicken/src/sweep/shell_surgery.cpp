@@ -293,10 +293,13 @@ void ShellSurgery::apply(std::span<const Hole> holes, std::span<const Patch> pat
   for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
     if (removed[t]) continue;
     mesh_.triangles[kept] = mesh_.triangles[t];
+    mesh_.above[kept] = mesh_.above[t];
     mesh_.region[kept++] = mesh_.region[t];
   }
   mesh_.triangles.resize(kept);
   mesh_.region.resize(kept);
+  mesh_.above.resize(kept);
+  mesh_.fixed.resize(kept);
   for (const Patch& patch : patches) {
     for (const auto& [i, c] : patch.aimed) {
       mesh_.copies[i] = c;
@@ -304,12 +307,9 @@ void ShellSurgery::apply(std::span<const Hole> holes, std::span<const Patch> pat
     }
     for (const Triangle& t : patch.triangles) {
       const bool shell = std::all_of(t.begin(), t.end(), [&](VertexId v) { return mesh_.isCopy(v); });
-      mesh_.triangles.push_back(t);
-      mesh_.region.push_back(shell ? Region::kShell : Region::kWall);
+      mesh_.add(t, shell ? Region::kShell : Region::kWall, kNone);
     }
   }
-  mesh_.fixed.assign(mesh_.triangles.size(), 0);
-  std::fill_n(mesh_.fixed.begin(), mesh_.surfaceTriangles, std::uint8_t{1});
   uses_ = vertexTriangles(mesh_.positions.size(), mesh_.triangles);
 }
 

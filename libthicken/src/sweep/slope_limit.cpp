@@ -47,10 +47,13 @@ CopyGraph copyGraph(const SweptMesh& mesh, int threads) {
   for (std::size_t i = 0; i < count.size(); ++i) graph.offset[i + 1] = graph.offset[i] + count[i];
   graph.links.resize(graph.offset.back());
   parallelFor(count.size(), threads, RunContext(), kGrain, [&](std::size_t i) {
-    const Vec3& base = mesh.positions[mesh.copies[i].base];
+    const Copy& own = mesh.copies[i];
+    const Vec3& base = mesh.positions[own.base];
     for (std::uint32_t k = 0; k < count[i]; ++k) {
       const std::uint32_t j = neighbours.values[first[i] + k];
-      graph.links[graph.offset[i] + k] = {j, kSlope * (base - mesh.positions[mesh.copies[j].base]).norm()};
+      const Copy& other = mesh.copies[j];
+      graph.links[graph.offset[i] + k] = {
+          j, kSlope * (base - mesh.positions[other.base]).norm() + std::max(0.0, other.length - own.length)};
     }
   });
   return graph;

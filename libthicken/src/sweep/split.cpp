@@ -238,9 +238,7 @@ void divide(SweptMesh& mesh, const Fan& fan, const Division& d, std::uint32_t id
   for (Triangle t : bridges(fan, d, v, a, b, [&](std::size_t i) { return copyOnRing.at(fan.ringAt(i)); })) {
     const bool wall = t[0] == v;
     if (sign < 0) std::swap(t[1], t[2]);
-    mesh.triangles.push_back(t);
-    mesh.region.push_back(wall ? Region::kWall : Region::kShell);
-    mesh.fixed.push_back(0);
+    mesh.add(t, wall ? Region::kWall : Region::kShell, kNone);
   }
   const auto aim = [&](Copy& c, const Sector& s) {
     c.offset = sign * thickness * s.m;
@@ -258,9 +256,8 @@ void divide(SweptMesh& mesh, const Fan& fan, const Division& d, std::uint32_t id
 
 void markBlockedRimCopies(SweptMesh& mesh, const VertexTriangles& around, const Rim& rim) {
   for (const RimEdge& e : rim.edges)
-    for (std::size_t shell = 0; shell + mesh.surfaceVertices <= mesh.copies.size();
-         shell += mesh.surfaceVertices) {
-      Copy& c = mesh.copies[shell + e.from];
+    for (std::size_t shell = 0; shell < mesh.shells; ++shell) {
+      Copy& c = mesh.copies[shell * mesh.surfaceVertices + e.from];
       const Fan fan = orderedFan(mesh, around.of(e.from), e.from);
       if (c.length > 0 && !DivisionTest(mesh, fan, e.from, 1).passesUndivided(c.offset / c.length))
         c.safety = 0;

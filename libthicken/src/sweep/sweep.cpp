@@ -17,6 +17,7 @@
 #include "mesh/sort_unique.h"
 #include "mesh/topology.h"
 #include "parallel_for.h"
+#include "sweep/corners.h"
 #include "sweep/direction.h"
 #include "sweep/initial_depth.h"
 #include "sweep/nearby.h"
@@ -36,6 +37,10 @@ constexpr int kMostRefills = 12;
 // So often the same copies may be found in the way before their place is given up.
 constexpr int kMostRepeats = 3;
 constexpr int kMostGrowths = 4;
+// Copies that are farther off the planes around them, in r, get a corner of their own: half of what the shell
+// may be off by.
+constexpr double kCornerOff = 0.005;
+constexpr int kMostCornerRetries = 3;
 
 [[noreturn]] void throwNoSolidAt(const SweptMesh& mesh, const std::vector<VertexId>& vertices) {
   const VertexId v = vertices.front();
@@ -56,10 +61,10 @@ constexpr int kMostGrowths = 4;
   throw Error(ErrorCode::kNoSolid, sentence, {std::move(d)});
 }
 
-[[noreturn]] void throwNoSolid(const SweptMesh& mesh, const std::vector<std::uint32_t>& stuck) {
+std::vector<VertexId> basesOf(const SweptMesh& mesh, const std::vector<std::uint32_t>& copies) {
   std::vector<VertexId> vertices;
-  for (const std::uint32_t i : stuck) vertices.push_back(mesh.copies[i].base);
-  throwNoSolidAt(mesh, vertices);
+  for (const std::uint32_t i : copies) vertices.push_back(mesh.copies[i].base);
+  return vertices;
 }
 
 // The copies in groups of neighbours, so that each hole is treated by itself.
@@ -97,15 +102,17 @@ bool dropGroup(ShellSurgery& shell, std::vector<std::uint32_t> copies) {
   }
 }
 
-void dropOrThrow(SweptMesh& mesh, const VertexTriangles& around, const std::vector<std::uint32_t>& copies) {
-  if (copies.empty()) return;
+// Drops copies. Returns those, of all groups, that could not be: an error names every place at once.
+std::vector<std::uint32_t> drop(SweptMesh& mesh, const VertexTriangles& around,
+                                const std::vector<std::uint32_t>& copies) {
+  std::vector<std::uint32_t> stuck;
+  if (copies.empty()) return stuck;
   ShellSurgery shell(mesh, around);
-  std::vector<std::uint32_t> stuck;  // of all groups, so that an error names every place at once
   for (auto& group : groupsOf(shell, copies)) {
     std::erase_if(group, [&](std::uint32_t i) { return mesh.copies[i].dropped; });  // by another's growth
     if (!group.empty() && !dropGroup(shell, group)) stuck.insert(stuck.end(), group.begin(), group.end());
   }
-  if (!stuck.empty()) throwNoSolid(mesh, stuck);
+  return stuck;
 }
 
 // Merges copies without a direction with a neighbour, nearest first: slivers that are folded over
@@ -129,12 +136,15 @@ std::vector<std::uint32_t> copiesWithoutDirection(const SweptMesh& mesh) {
 
 struct Settled {
   std::size_t rounds = 0;
-  std::vector<TriangleId> order;  // of the leaves of the tree that the last tests were made with
+  std::vector<TriangleId> order;   // of the leaves of the tree that the last tests were made with
+  std::vector<VertexId> hopeless;  // of S, that no depth is clear below; none: it is settled
 };
 
-// Draws back, drops what stays in the way, and lets the rest advance again.
-Settled settle(SweptMesh& mesh, const VertexTriangles& around, const RunContext& context, int threads) {
-  std::size_t rounds = 0;
+// Draws back, drops what stays in the way, and lets the rest advance again. Only copies of vertices that
+// `single` marks are dropped: others may be in the way because of their corner.
+Settled settle(SweptMesh& mesh, const VertexTriangles& around, std::span<const std::uint8_t> single,
+               const RunContext& context, int threads) {
+  Settled settled;
   std::vector<double> goal(mesh.copies.size());
   std::vector<std::uint32_t> before;
   int repeats = 0;
@@ -146,17 +156,50 @@ Settled settle(SweptMesh& mesh, const VertexTriangles& around, const RunContext&
     parallelFor(mesh.copies.size(), threads, context, 4096, [&](std::size_t i) { mesh.place(i); });
     ConflictTester tester(mesh, context, threads);
     const RetreatResult result = retreat(mesh, graph, tester, context);
-    rounds += result.rounds;
-    if (!result.buried.empty()) throwNoSolidAt(mesh, result.buried);
+    settled.rounds += result.rounds;
+    settled.hopeless = result.buried;
+    if (!result.buried.empty()) return settled;
     if (result.stuck.empty()) {
       advance(mesh, graph, tester, goal, context);
-      return {rounds, tester.order()};
+      settled.order = tester.order();
+      return settled;
     }
+    settled.hopeless = basesOf(mesh, result.stuck);
+    std::erase_if(settled.hopeless, [&](VertexId v) { return single[v] != 0; });
+    if (!settled.hopeless.empty()) return settled;
     repeats = result.stuck == before ? repeats + 1 : 1;
-    if (refills == kMostRefills || repeats == kMostRepeats) throwNoSolid(mesh, result.stuck);
+    const bool isLast = refills == kMostRefills || repeats == kMostRepeats;
+    settled.hopeless = basesOf(mesh, isLast ? result.stuck : drop(mesh, around, result.stuck));
+    if (!settled.hopeless.empty()) return settled;
     before = result.stuck;
-    dropOrThrow(mesh, around, result.stuck);
   }
+}
+
+// Small triangles around copies that were drawn back let all others be as deep as they were to be (`depth`).
+// Where that is not clear the sweep stays as it is.
+void cutShort(SweptMesh& mesh, Corners& corners, std::span<const double> depth, const VertexTriangles& around,
+              const ClosestPointTree& tree, Settled& settled, const RunContext& context, int threads) {
+  SweptMesh before = mesh;
+  if (!corners.cutShort(depth)) return;
+  for (std::size_t i = 0; i < depth.size(); ++i) mesh.copies[i].depth = depth[i];
+  setInitialDepths(mesh, tree, context, threads, depth.size());
+  const std::vector<std::uint8_t> single(mesh.surfaceVertices, 0);
+  Settled again = settle(mesh, around, single, context, threads);
+  again.rounds += settled.rounds;
+  if (again.hopeless.empty())
+    settled = std::move(again);
+  else
+    mesh = std::move(before);
+}
+
+// Marks vertices and those around them. Returns whether any was not.
+bool markAround(const TriangleMesh& surface, const VertexTriangles& around,
+                std::span<const VertexId> vertices, std::vector<std::uint8_t>& marked) {
+  bool any = false;
+  for (const VertexId v : vertices)
+    for (const TriangleId t : around.of(v))
+      for (const VertexId u : surface.triangles[t]) any |= std::exchange(marked[u], std::uint8_t{1}) == 0;
+  return any;
 }
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
@@ -253,11 +296,30 @@ SweepResult sweep(const TriangleMesh& surface, const ClosestPointTree& tree, dou
   markBlockedRimCopies(mesh, around, rim);
   mergeFolds(mesh, around, copiesWithoutDirection(mesh));
   const auto unserved = splitCopies(mesh, normal, around, thickness, copiesWithoutDirection(mesh));
-  dropOrThrow(mesh, around, unserved);
-  setInitialDepths(mesh, tree, context, threads);
-  parallelFor(mesh.copies.size(), threads, context, 4096, [&](std::size_t i) { mesh.place(i); });
-  if (polishing == Polish::kYes) polish(mesh, tree, context, threads);
-  Settled settled = settle(mesh, around, context, threads);
+  if (const auto stuck = drop(mesh, around, unserved); !stuck.empty())
+    throwNoSolidAt(mesh, basesOf(mesh, stuck));
+  Settled settled;
+  int retries = 0;
+  std::vector<std::uint8_t> single(surface.positions.size(), 0);  // vertices that get no corner
+  for (const SweptMesh plain = mesh;; mesh = plain) {
+    Corners corners(mesh, normal, around);
+    corners.divide(kCornerOff, single);
+    setInitialDepths(mesh, tree, context, threads);
+    parallelFor(mesh.copies.size(), threads, context, 4096, [&](std::size_t i) { mesh.place(i); });
+    if (polishing == Polish::kYes)
+      polish(mesh, tree, OffsetError(surface, normal, around, thickness, Join::kMitre), context, threads);
+    std::vector<double> depth;
+    for (const Copy& c : mesh.copies) depth.push_back(c.depth);
+    settled = settle(mesh, around, single, context, threads);
+    if (settled.hopeless.empty()) {
+      cutShort(mesh, corners, depth, around, tree, settled, context, threads);
+      break;
+    }
+    // A corner that must draw back until its copies are one is no corner; where that goes on, none is.
+    const bool isNew = markAround(surface, around, settled.hopeless, single);
+    if (!isNew) throwNoSolidAt(mesh, settled.hopeless);
+    if (++retries == kMostCornerRetries) std::fill(single.begin(), single.end(), std::uint8_t{1});
+  }
   SweepResult result = finish(mesh, tree, side, context, threads);
   result.rounds = settled.rounds;
   if (side != Side::kBoth) result.order = std::move(settled.order);  // else S is no part of the result

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sweep/swept_mesh.h"
 
+#include <numeric>
+
 #include "mesh/float_lattice.h"
 #include "parallel_for.h"
 
@@ -31,6 +33,9 @@ VertexId addShell(SweptMesh& mesh, const TriangleMesh& surface, std::span<const 
         sign < 0 ? Triangle{first + c, first + b, first + a} : Triangle{first + a, first + b, first + c};
   });
   mesh.region.insert(mesh.region.end(), surface.triangles.size(), Region::kShell);
+  const std::size_t own = mesh.above.size();
+  mesh.above.resize(own + surface.triangles.size());
+  std::iota(mesh.above.begin() + static_cast<std::ptrdiff_t>(own), mesh.above.end(), TriangleId{0});
   return first;
 }
 
@@ -47,6 +52,7 @@ void addWall(SweptMesh& mesh, const RimEdge& e, VertexId upper, VertexId lower) 
     mesh.triangles.push_back({b, aLow, bLow});
   }
   mesh.region.insert(mesh.region.end(), 2, Region::kWall);
+  mesh.above.insert(mesh.above.end(), 2, kNone);
 }
 
 }  // namespace
@@ -62,7 +68,9 @@ SweptMesh sweepMesh(const TriangleMesh& surface, std::span<const SweepDirection>
   mesh.surfaceVertices = surface.positions.size();
   mesh.surfaceTriangles = surface.triangles.size();
   mesh.thickness = thickness;
-  const std::size_t shells = side == Side::kBoth ? 2 : 1, walls = 2 * shells * rim.edges.size();
+  mesh.above.assign(surface.triangles.size(), kNone);
+  mesh.shells = side == Side::kBoth ? 2 : 1;
+  const std::size_t shells = mesh.shells, walls = 2 * shells * rim.edges.size();
   mesh.copies.reserve(shells * surface.positions.size());
   mesh.positions.reserve((1 + shells) * surface.positions.size());
   mesh.triangles.reserve((1 + shells) * surface.triangles.size() + walls);

@@ -24,6 +24,7 @@ struct Copy {
   double length = 0;           ///< |offset|
   double safety = 0;           ///< of its direction (SweepDirection)
   double depth = 1;            ///< h ∈ (0, 1]
+  bool exact = false;          ///< in the planes of the triangles around it: not to be polished
   bool dropped = false;        ///< no triangle uses it any more
 };
 
@@ -34,14 +35,24 @@ struct SweptMesh {
   std::vector<Triangle> triangles;
   std::vector<Region> region;       ///< per triangle
   std::vector<std::uint8_t> fixed;  ///< per triangle: 1 for S
-  std::vector<Copy> copies;         ///< copy i is vertex surfaceVertices + i
-  double thickness = 0;             ///< mm
+  std::vector<TriangleId>
+      above;                 ///< per triangle: of the shell, the one of S that it is parallel to; else kNone
+  std::vector<Copy> copies;  ///< copy i is vertex surfaceVertices + i
+  std::size_t shells = 1;    ///< 2 on both sides
+  double thickness = 0;      ///< mm
 
   [[nodiscard]] bool isCopy(VertexId v) const { return v >= surfaceVertices; }
   [[nodiscard]] Copy& copyOf(VertexId v) { return copies[v - surfaceVertices]; }
   [[nodiscard]] const Copy& copyOf(VertexId v) const { return copies[v - surfaceVertices]; }
   [[nodiscard]] VertexId vertexOf(std::size_t copy) const {
     return static_cast<VertexId>(surfaceVertices + copy);
+  }
+  /// Adds a triangle; `parallelTo`: above's.
+  void add(const Triangle& t, Region where, TriangleId parallelTo) {
+    triangles.push_back(t);
+    region.push_back(where);
+    fixed.push_back(0);
+    above.push_back(parallelTo);
   }
   /// Moves a copy's vertex to where its depth puts it.
   void place(std::size_t copy);

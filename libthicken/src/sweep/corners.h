@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Exact corners of a mitred shell. Where more than three planes meet at a vertex of S, their copies at depth
+// r have no common point in general. A single offset vertex is then off some of them, and tilts every
+// triangle around it as far as it reaches. Here the vertex gets several offset vertices instead, each in
+// three of the planes, joined by edges in two of them: all triangles of S stay parallel to their copies.
+// Where no such corner is clear, and where a copy must be drawn back, edges around it get a copy of their own
+// nearby, so that only small triangles are off.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "mesh/topology.h"
+#include "sweep/swept_mesh.h"
+
+namespace thicken {
+
+class Corners {
+ public:
+  /// Of the copies of `mesh`; `faceNormal`, `around`: of S. All must outlive this.
+  Corners(SweptMesh& mesh, std::span<const Vec3> faceNormal, const VertexTriangles& around);
+  ~Corners();
+
+  /// Divides the copies that are off from a plane around them by more than `tolerance` · r, or cuts the
+  /// corner off. Each copied triangle is a polygon that is not folded over, and no more triangles meet than
+  /// before. Copies beside others that were merged, divided or dropped stay, as do those that `single` marks,
+  /// per vertex of S.
+  void divide(double tolerance, std::span<const std::uint8_t> single);
+
+  /// Cuts the triangles around copies that were drawn back from `depth`, per copy. Returns whether there are
+  /// new copies, all at full depth.
+  bool cutShort(std::span<const double> depth);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace thicken
