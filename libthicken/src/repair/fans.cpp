@@ -8,9 +8,7 @@
 #include "mesh/union_find.h"
 
 namespace thicken::repairing {
-namespace {
 
-// The fans at a vertex as groups of its triangles: those that share an edge at it.
 std::vector<std::vector<TriangleId>> fansAt(const Workpiece& piece, const VertexTriangles& around,
                                             VertexId v) {
   struct Spoke {
@@ -41,8 +39,6 @@ std::vector<std::vector<TriangleId>> fansAt(const Workpiece& piece, const Vertex
   }
   return fans;
 }
-
-}  // namespace
 
 void openPinchedVertices(Workpiece& piece, const VertexTriangles& around) {
   std::vector<VertexId> open(piece.mesh.positions.size());

@@ -4,10 +4,16 @@
 // coordinates are one to every reader of a file, so that the others have to withdraw from it.
 #pragma once
 
+#include <vector>
+
 #include "mesh/topology.h"
 #include "repair/workpiece.h"
 
 namespace thicken::repairing {
+
+/// The triangles at a vertex that are present, in groups: those that share an edge at it.
+[[nodiscard]] std::vector<std::vector<TriangleId>> fansAt(const Workpiece& piece,
+                                                          const VertexTriangles& around, VertexId v);
 
 /// At each vertex of several fans of triangles all but the one with the largest area are removed,
 /// until no such vertex is left.

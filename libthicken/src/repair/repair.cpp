@@ -18,6 +18,7 @@
 #include "repair/meetings.h"
 #include "repair/near_corners.h"
 #include "repair/put_back.h"
+#include "repair/seams.h"
 #include "repair/sense.h"
 #include "repair/workpiece.h"
 #include "thicken/check.h"
@@ -60,8 +61,16 @@ namespace {
 
 using repairing::Workpiece;
 
-double distanceToWeld(const TriangleMesh& surface, const RepairOptions& options) {
+// How far apart rounding may have taken what was one corner, mm.
+double roundingOf(const TriangleMesh& surface) {
   constexpr double kShareOfDiagonal = 1e-6;
+  Eigen::AlignedBox3d box;
+  for (const Vec3& p : surface.positions)
+    if (isFinite(p)) box.extend(p);
+  return box.isEmpty() ? 0 : kShareOfDiagonal * box.diagonal().norm();
+}
+
+double distanceToWeld(const TriangleMesh& surface, const RepairOptions& options) {
   if (options.weldDistance) {
     if (!(*options.weldDistance >= 0) || !std::isfinite(*options.weldDistance))
       throw Error(
@@ -71,10 +80,7 @@ double distanceToWeld(const TriangleMesh& surface, const RepairOptions& options)
                       *options.weldDistance));
     return *options.weldDistance;
   }
-  Eigen::AlignedBox3d box;
-  for (const Vec3& p : surface.positions)
-    if (isFinite(p)) box.extend(p);
-  return box.isEmpty() ? 0 : kShareOfDiagonal * box.diagonal().norm();
+  return roundingOf(surface);
 }
 
 // Moves corners onto near ones and notes the triangles at them.
@@ -139,8 +145,10 @@ RepairResult repair(const TriangleMesh& surface, const RepairOptions& options, R
 
   repairing::Ledger ledger;
   Workpiece piece(surface);
-  weldNearCorners(piece, distance, ledger);
+  weldNearCorners(piece, std::min(distance, roundingOf(surface)), ledger);
   dropBadTriangles(piece, context, threads);
+  repairing::Seams seams;
+  if (options.weldDistance) seams = repairing::joinSeams(piece, distance, ledger);
   const repairing::KnownMeetings known = findMeetings(piece, context, threads);
   thinCrowdedEdges(piece);
   makeSenseConsistent(piece);
