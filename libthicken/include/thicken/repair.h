@@ -50,8 +50,19 @@ struct RepairChange {
   std::vector<Vec3> places;  ///< mm, a point in each of the first kMaxPlaces of them
 };
 
+/// What joining rims did (RepairOptions::weldDistance).
+struct SeamFacts {
+  static constexpr std::size_t kMaxPlaces = 1000;
+
+  std::size_t joinedEdges = 0;  ///< rim edges, or parts of divided ones, that two rims share now
+  std::size_t left = 0;  ///< corners within the distance of another rim that could not be joined to it:
+                         ///< triangles would turn over, or the order of the corners is not clear
+  std::vector<Vec3> leftPlaces;  ///< mm, the first kMaxPlaces of them
+};
+
 struct RepairFacts {
   double weldDistance = 0;  ///< mm, the farthest that corners were welded over
+  SeamFacts seams;
   std::size_t removed = 0;  ///< triangles, or parts of divided ones, that are gone
   double removedArea = 0;   ///< mm², without that of duplicates, which stay once
   std::vector<RepairChange>

@@ -9,13 +9,6 @@
 namespace thicken::repairing {
 namespace {
 
-// Twice the area for the square of the longest edge: 0 for slivers.
-double shape(std::span<const Vec3> p, const Triangle& t) {
-  const Vec3 u = p[t[1]] - p[t[0]], v = p[t[2]] - p[t[0]], w = v - u;
-  const double longest = std::max({u.squaredNorm(), v.squaredNorm(), w.squaredNorm()});
-  return longest > 0 ? u.cross(v).norm() / longest : 0;
-}
-
 bool hasCornerTwice(const Triangle& corners, const std::array<std::span<const VertexId>, 3>& divisions) {
   std::vector<VertexId> all(corners.begin(), corners.end());
   for (const auto& edge : divisions) all.insert(all.end(), edge.begin(), edge.end());
@@ -59,6 +52,12 @@ std::vector<Triangle> fansFrom(int first, const Triangle& corners,
 
 }  // namespace
 
+double shapeOf(std::span<const Vec3> p, const Triangle& t) {
+  const Vec3 u = p[t[1]] - p[t[0]], v = p[t[2]] - p[t[0]], w = v - u;
+  const double longest = std::max({u.squaredNorm(), v.squaredNorm(), w.squaredNorm()});
+  return longest > 0 ? u.cross(v).norm() / longest : 0;
+}
+
 Facing facingOf(std::span<const Vec3> positions, const Triangle& corners) {
   const Vec3 &p = positions[corners[0]], &q = positions[corners[1]], &r = positions[corners[2]];
   Facing facing;
@@ -78,7 +77,7 @@ std::vector<Triangle> partsOf(std::span<const Vec3> positions, const Triangle& c
     for (const Triangle& t : parts) {
       const int sign =
           exact::orientation2(positions[t[0]], positions[t[1]], positions[t[2]], facing.axis);
-      least = std::min(least, sign == facing.sign ? shape(positions, t) : -1.0);
+      least = std::min(least, sign == facing.sign ? shapeOf(positions, t) : -1.0);
     }
     if (least < 0 || least <= bestShape) continue;
     bestShape = least;

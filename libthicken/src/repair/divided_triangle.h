@@ -18,6 +18,9 @@ struct Facing {
 };
 [[nodiscard]] Facing facingOf(std::span<const Vec3> positions, const Triangle& corners);
 
+/// Twice the area of a triangle for the square of its longest edge: 0 for slivers.
+[[nodiscard]] double shapeOf(std::span<const Vec3> positions, const Triangle& corners);
+
 /// The parts of the triangle of these `corners`, whose edge k, from corner k to k + 1, is divided at
 /// `divisions[k]` in this order. Empty where they would not all face as `facing` says, or would have a
 /// corner twice. Seen along the axis the parts lie side by side. Exact.

@@ -18,9 +18,13 @@ Ledger::Ledger(const RepairFacts& before) {
 }
 
 void Ledger::add(RepairKind kind, TriangleId origin, double area, const Vec3& place) {
+  addUncounted(kind, origin, area, place);
+  addCount(kind, 1);
+}
+
+void Ledger::addUncounted(RepairKind kind, TriangleId origin, double area, const Vec3& place) {
   RepairChange& change = changes_[kind];
   change.kind = kind;
-  ++change.count;
   if (std::isfinite(area)) change.area += area;
   change.triangles.push_back(origin);
   if (change.places.size() < RepairChange::kMaxPlaces && isFinite(place)) change.places.push_back(place);

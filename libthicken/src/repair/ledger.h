@@ -17,7 +17,9 @@ class Ledger {
   explicit Ledger(const RepairFacts& before);
 
   void add(RepairKind kind, TriangleId origin, double area, const Vec3& place);
-  void setCount(RepairKind kind, std::size_t count) { changes_[kind].count = count; }
+  /// As add(), for triangles that are counted by something else than their number (addCount()).
+  void addUncounted(RepairKind kind, TriangleId origin, double area, const Vec3& place);
+  void addCount(RepairKind kind, std::size_t count) { changes_[kind].count += count; }
 
   /// Without what came of the surface.
   [[nodiscard]] RepairFacts facts(double weldDistance) &&;

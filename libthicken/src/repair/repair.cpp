@@ -91,12 +91,12 @@ void weldNearCorners(Workpiece& piece, double distance, repairing::Ledger& ledge
     Triangle& c = piece.mesh.triangles[t];
     const Triangle before = c;
     for (VertexId& v : c) v = near.onto[v];
-    if (c != before) ledger.add(RepairKind::kWelded, t, piece.area(t), piece.middle(t));
+    if (c != before) ledger.addUncounted(RepairKind::kWelded, t, piece.area(t), piece.middle(t));
   }
-  ledger.setCount(RepairKind::kWelded, near.moved);
+  ledger.addCount(RepairKind::kWelded, near.moved);
 }
 
-// Removes as little as it takes that no two triangles meet, and no vertex joins several fans.
+// Removes as little as it takes that no two triangles meet.
 void separate(Workpiece& piece, const repairing::KnownMeetings& known) {
   const std::size_t count = piece.mesh.triangles.size();
   const repairing::MeetingGraph graph(count, known.pairs);
@@ -107,16 +107,20 @@ void separate(Workpiece& piece, const repairing::KnownMeetings& known) {
   for (double& w : weight) w = (std::isfinite(w) ? w : 0) + mean;
   for (const TriangleId t : repairing::smallCover(graph, piece.present, weight))
     piece.remove(t, RepairKind::kSelfIntersecting);
-  const VertexTriangles around = vertexTriangles(piece.mesh.positions.size(), piece.mesh.triangles);
-  openPinchedVertices(piece, around);
   std::vector<std::uint8_t> candidate(count, 0);
   for (TriangleId t = 0; t < count; ++t) {
     const RepairKind why = piece.reason[t];
     candidate[t] = piece.present[t] == 0 && known.goneForGood[t] == 0 &&
-                   (why == RepairKind::kNonManifoldEdge || why == RepairKind::kOneSided ||
-                    why == RepairKind::kSelfIntersecting || why == RepairKind::kNonManifoldVertex);
+                   (why == RepairKind::kOneSided || why == RepairKind::kSelfIntersecting);
   }
-  putBack(piece, around, graph, candidate);
+  putBack(piece, vertexTriangles(piece.mesh.positions.size(), piece.mesh.triangles), graph, candidate);
+}
+
+// No vertex joins several fans afterwards.
+void openVertices(Workpiece& piece) {
+  cutPinchedVertices(piece);
+  // where triangles went as a whole parts may touch again
+  openPinchedVertices(piece, vertexTriangles(piece.mesh.positions.size(), piece.mesh.triangles));
 }
 
 RepairResult unchanged(const TriangleMesh& surface, const SurfaceFacts& facts) {
@@ -147,14 +151,16 @@ RepairResult repair(const TriangleMesh& surface, const RepairOptions& options, R
   Workpiece piece(surface);
   weldNearCorners(piece, std::min(distance, roundingOf(surface)), ledger);
   dropBadTriangles(piece, context, threads);
-  repairing::Seams seams;
+  SeamFacts seams;
   if (options.weldDistance) seams = repairing::joinSeams(piece, distance, ledger);
-  const repairing::KnownMeetings known = findMeetings(piece, context, threads);
-  thinCrowdedEdges(piece);
+  repairing::KnownMeetings known = findMeetings(piece, context, threads);
+  if (endSheetsAtEdges(piece)) known = findMeetings(piece, context, threads);
   makeSenseConsistent(piece);
   context.throwIfCancelled();
   separate(piece, known);
+  openVertices(piece);
   RepairResult result = packed(piece, distance, std::move(ledger));
+  result.facts.seams = std::move(seams);
   if (result.mesh.triangles.empty()) refuseAll(given);
   return repairing::proved(std::move(result), context, threads);
 }

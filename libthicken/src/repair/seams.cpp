@@ -66,7 +66,7 @@ class SeamJoiner {
     findCandidates();
   }
 
-  Seams run(Ledger& ledger) {
+  SeamFacts run(Ledger& ledger) {
     // First what is beyond doubt: two corners of two rims, then corners on edges. Where seams meet, and
     // among loose triangles, more than two corners become one.
     bool among = false;
@@ -367,7 +367,6 @@ class SeamJoiner {
       return false;
     }
     stops_[group].push_back(rims_.divide(span, rims_.stop(x).vertex));
-    ++result_.inserted;
     closeAt(group);
     return true;
   }
@@ -396,11 +395,14 @@ class SeamJoiner {
       if (!isBend(c.stop, ends, rest, c.apart)) left.push_back(rims_.stop(c.stop).vertex);
     }
     sortUnique(left);
-    for (const VertexId v : left) result_.left.push_back(at_[v]);
+    result_.left = left.size();
+    left.resize(std::min(left.size(), SeamFacts::kMaxPlaces));
+    for (const VertexId v : left) result_.leftPlaces.push_back(at_[v]);
   }
 
   void apply(Ledger& ledger) {
-    for (VertexId v = 0; v < onto_.size(); ++v) result_.moved += onto_[v] != v;
+    std::size_t moved = 0;
+    for (VertexId v = 0; v < onto_.size(); ++v) moved += onto_[v] != v;
     std::map<TriangleId, std::vector<Triangle>> divided;
     for (const auto& [slot, list] : inserted_) divided.try_emplace(slot / 3);
     for (auto& [t, parts] : divided) parts = partsOfTriangle(t);
@@ -408,10 +410,10 @@ class SeamJoiner {
     for (TriangleId t = 0; t < count; ++t) {
       const Triangle c = cornersOf(t);
       if (piece_.present[t] == 0 || c == piece_.mesh.triangles[t]) continue;
-      ledger.add(RepairKind::kWelded, piece_.origin[t], piece_.area(t), piece_.middle(t));
+      ledger.addUncounted(RepairKind::kWelded, piece_.origin[t], piece_.area(t), piece_.middle(t));
       piece_.mesh.triangles[t] = c;
     }
-    if (result_.moved > 0) ledger.setCount(RepairKind::kWelded, result_.moved);
+    if (moved > 0) ledger.addCount(RepairKind::kWelded, moved);
     for (const auto& [t, parts] : divided) {
       piece_.remove(t, RepairKind::kDivided);
       for (const Triangle& part : parts) piece_.addPart(part, t);
@@ -430,12 +432,12 @@ class SeamJoiner {
   std::unordered_map<std::uint32_t, std::uint32_t> spanOfSlot_;        // its first span
   std::unordered_map<TriangleId, Facing> facing_;
   std::vector<Candidate> pairs_, edges_;
-  Seams result_;
+  SeamFacts result_;
 };
 
 }  // namespace
 
-Seams joinSeams(Workpiece& piece, double distance, Ledger& ledger) {
+SeamFacts joinSeams(Workpiece& piece, double distance, Ledger& ledger) {
   if (!(distance > 0)) return {};
   return SeamJoiner(piece, distance).run(ledger);
 }
