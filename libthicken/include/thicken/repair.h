@@ -30,6 +30,8 @@ enum class RepairKind {
   kOneSided,           ///< triangles removed: a strip across a one-sided part
   kSelfIntersecting,   ///< triangles removed: they meet others
   kNonManifoldVertex,  ///< triangles removed: parts touched in a point only
+  kOverlapping,        ///< triangles removed: a sheet that lay on a larger one and ran through it all over
+  kCrumb,              ///< triangles removed: too small a part that came off
   kFolded,  ///< triangles removed by thicken(): no wall fits below so sharp a fold, so narrow a gap
 };
 

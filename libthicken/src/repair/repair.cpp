@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -14,9 +15,11 @@
 #include "repair/cover.h"
 #include "repair/crowded_edges.h"
 #include "repair/fans.h"
+#include "repair/crumbs.h"
 #include "repair/ledger.h"
 #include "repair/meetings.h"
 #include "repair/near_corners.h"
+#include "repair/overlaps.h"
 #include "repair/put_back.h"
 #include "repair/seams.h"
 #include "repair/sense.h"
@@ -47,6 +50,10 @@ std::string_view name(RepairKind kind) noexcept {
       return "self-intersecting";
     case RepairKind::kNonManifoldVertex:
       return "non-manifold-vertex";
+    case RepairKind::kOverlapping:
+      return "overlapping";
+    case RepairKind::kCrumb:
+      return "crumb";
     case RepairKind::kFolded:
       return "folded";
   }
@@ -96,8 +103,14 @@ void weldNearCorners(Workpiece& piece, double distance, repairing::Ledger& ledge
   ledger.addCount(RepairKind::kWelded, near.moved);
 }
 
-// Removes as little as it takes that no two triangles meet.
-void separate(Workpiece& piece, const repairing::KnownMeetings& known) {
+// How a vertex at which parts touch in a point only is opened.
+enum class Opening {
+  kCut,     ///< triangles are cut back from it
+  kRemove,  ///< triangles at it go; others that those met may come back
+};
+
+// Removes as little as it takes that no two triangles meet, and no vertex joins several fans.
+void separate(Workpiece& piece, const repairing::KnownMeetings& known, Opening opening) {
   const std::size_t count = piece.mesh.triangles.size();
   const repairing::MeetingGraph graph(count, known.pairs);
   // By area, but a triangle is a loss of its own, too: many slivers are not better than one triangle.
@@ -107,20 +120,61 @@ void separate(Workpiece& piece, const repairing::KnownMeetings& known) {
   for (double& w : weight) w = (std::isfinite(w) ? w : 0) + mean;
   for (const TriangleId t : repairing::smallCover(graph, piece.present, weight))
     piece.remove(t, RepairKind::kSelfIntersecting);
+  const VertexTriangles around = vertexTriangles(piece.mesh.positions.size(), piece.mesh.triangles);
+  if (opening == Opening::kRemove) openPinchedVertices(piece, around);
   std::vector<std::uint8_t> candidate(count, 0);
   for (TriangleId t = 0; t < count; ++t) {
     const RepairKind why = piece.reason[t];
     candidate[t] = piece.present[t] == 0 && known.goneForGood[t] == 0 &&
-                   (why == RepairKind::kOneSided || why == RepairKind::kSelfIntersecting);
+                   (why == RepairKind::kOneSided || why == RepairKind::kSelfIntersecting ||
+                    why == RepairKind::kNonManifoldVertex);
   }
-  putBack(piece, vertexTriangles(piece.mesh.positions.size(), piece.mesh.triangles), graph, candidate);
+  putBack(piece, around, graph, candidate);
+  if (opening == Opening::kRemove) return;
+  cutPinchedVertices(piece);
+  // where a triangle went as a whole parts may touch again
+  openPinchedVertices(piece, vertexTriangles(piece.mesh.positions.size(), piece.mesh.triangles));
 }
 
-// No vertex joins several fans afterwards.
-void openVertices(Workpiece& piece) {
-  cutPinchedVertices(piece);
-  // where triangles went as a whole parts may touch again
-  openPinchedVertices(piece, vertexTriangles(piece.mesh.positions.size(), piece.mesh.triangles));
+// Parts that come off and are smaller than this many mean triangles are dropped.
+constexpr double kCrumbTriangles = 8;
+
+double meanArea(const Workpiece& piece) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (TriangleId t = 0; t < piece.present.size(); ++t)
+    if (piece.present[t] != 0) {
+      sum += piece.area(t);
+      ++count;
+    }
+  return count > 0 ? sum / static_cast<double>(count) : 0;
+}
+
+// The way that loses less. New corners are rounded, so that cutting may fail where sheets nearly touch.
+RepairResult separated(const Workpiece& piece, const repairing::KnownMeetings& known, double distance,
+                       const repairing::Ledger& ledger, const RunContext& context, int threads) {
+  const std::vector<std::uint32_t> before = repairing::partsOfPiece(piece);
+  const double crumb = kCrumbTriangles * meanArea(piece);
+  const auto by = [&](Opening opening, bool dropping) {
+    context.throwIfCancelled();
+    Workpiece part = piece;
+    separate(part, known, opening);
+    if (dropping) dropCrumbs(part, before, crumb);
+    return packed(part, distance, ledger);
+  };
+  RepairResult plain = by(Opening::kRemove, false);
+  constexpr std::array<std::pair<Opening, bool>, 3> kWays{
+      {{Opening::kCut, true}, {Opening::kRemove, true}, {Opening::kCut, false}}};
+  for (const auto& [opening, dropping] : kWays) {
+    RepairResult result = by(opening, dropping);
+    if (result.mesh.triangles.empty() || result.facts.removedArea > plain.facts.removedArea) continue;
+    CheckResult proof = check(result.mesh, context, threads);
+    if (!proof.valid()) continue;
+    result.facts.surface = proof.facts;
+    return result;
+  }
+  if (plain.mesh.triangles.empty()) return plain;
+  return repairing::proved(std::move(plain), context, threads);
 }
 
 RepairResult unchanged(const TriangleMesh& surface, const SurfaceFacts& facts) {
@@ -154,15 +208,14 @@ RepairResult repair(const TriangleMesh& surface, const RepairOptions& options, R
   SeamFacts seams;
   if (options.weldDistance) seams = repairing::joinSeams(piece, distance, ledger);
   repairing::KnownMeetings known = findMeetings(piece, context, threads);
-  if (endSheetsAtEdges(piece)) known = findMeetings(piece, context, threads);
+  if (removeOverlaps(piece, known.pairs, threads) | endSheetsAtEdges(piece))
+    known = findMeetings(piece, context, threads);
   makeSenseConsistent(piece);
   context.throwIfCancelled();
-  separate(piece, known);
-  openVertices(piece);
-  RepairResult result = packed(piece, distance, std::move(ledger));
-  result.facts.seams = std::move(seams);
+  RepairResult result = separated(piece, known, distance, ledger, context, threads);
   if (result.mesh.triangles.empty()) refuseAll(given);
-  return repairing::proved(std::move(result), context, threads);
+  result.facts.seams = std::move(seams);
+  return result;
 }
 
 }  // namespace thicken
