@@ -62,19 +62,27 @@ struct SeamFacts {
   std::vector<Vec3> leftPlaces;  ///< mm, the first kMaxPlaces of them
 };
 
+/// Rims that run beside each other at a distance that is small against their edges.
+struct NearRims {
+  std::size_t corners = 0;  ///< corners that are so near another rim
+  double distance = 0;      ///< mm, the farthest that one of them is from it: to weld over
+};
+
 struct RepairFacts {
   double weldDistance = 0;  ///< mm, the farthest that corners were welded over
   SeamFacts seams;
   std::size_t removed = 0;  ///< triangles, or parts of divided ones, that are gone
   double removedArea = 0;   ///< mm², without that of duplicates, which stay once
+  Vec3 largestPlace = Vec3::Zero();  ///< mm, the middle of the largest triangle that is gone
   std::vector<RepairChange>
       changes;           ///< in the order of RepairKind, one entry a kind; empty: nothing to mend
   SurfaceFacts surface;  ///< what came of it
 };
 
 struct RepairOptions {
-  /// mm, 0 or more: corners of rims that are at most so far apart, and not farther than half the
-  /// shortest edge at either, become one. Unset: a millionth of the bounding box's diagonal.
+  /// mm, 0 or more: rims that are at most so far apart are joined, whatever their corners: corners become
+  /// one, or divide an edge of the other rim. Unset: only corners that are at most a millionth of the bounding
+  /// box's diagonal apart, and not farther than half the shortest edge at either, become one.
   std::optional<double> weldDistance;
 };
 
@@ -84,6 +92,10 @@ struct RepairResult {
       origin;  ///< per triangle of `mesh`: the triangle of the input that it is (a part) of
   RepairFacts facts;
 };
+
+/// Looks for rims within a quarter of the mean rim edge of each other. Corners with equal coordinates have to
+/// be one vertex already. Throws kCancelled. Cost: O(n log n).
+[[nodiscard]] NearRims nearRims(const TriangleMesh& surface, const RunContext& context = {}, int threads = 0);
 
 /// Repairs `surface`, whose corners with equal coordinates have to be one vertex already (weld()).
 /// The surface is not looked into for near corners when it is valid and no distance is given.

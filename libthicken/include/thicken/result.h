@@ -47,6 +47,7 @@ struct AuditFacts {
 
 struct Report {
   SurfaceFacts input;                 ///< as it was given, before any repair
+  NearRims nearRims;                  ///< of the surface that was thickened
   std::optional<RepairFacts> repair;  ///< with Options::repair: what was done to it
   double thickness = 0;               ///< mm
   Side side = Side::kNegative;

@@ -15,11 +15,19 @@ namespace thicken::repairing {
 
 Ledger::Ledger(const RepairFacts& before) {
   for (const RepairChange& change : before.changes) changes_[change.kind] = change;
+  largestPlace_ = before.largestPlace;
 }
 
 void Ledger::add(RepairKind kind, TriangleId origin, double area, const Vec3& place) {
   addUncounted(kind, origin, area, place);
   addCount(kind, 1);
+}
+
+void Ledger::addRemoved(RepairKind kind, TriangleId origin, double area, const Vec3& place) {
+  add(kind, origin, area, place);
+  if (!removes(kind) || kind == RepairKind::kDuplicate || !(area > largest_) || !isFinite(place)) return;
+  largest_ = area;
+  largestPlace_ = place;
 }
 
 void Ledger::addUncounted(RepairKind kind, TriangleId origin, double area, const Vec3& place) {
@@ -33,6 +41,7 @@ void Ledger::addUncounted(RepairKind kind, TriangleId origin, double area, const
 RepairFacts Ledger::facts(double weldDistance) && {
   RepairFacts facts;
   facts.weldDistance = weldDistance;
+  facts.largestPlace = largestPlace_;
   for (auto& [kind, change] : changes_) {
     auto& ids = change.triangles;
     sortUnique(ids);
@@ -55,7 +64,7 @@ RepairResult packed(const Workpiece& piece, double weldDistance, Ledger ledger) 
                    [&](TriangleId a, TriangleId b) { return piece.origin[a] < piece.origin[b]; });
   for (const TriangleId t : order) {
     if (piece.present[t] == 0) {
-      ledger.add(piece.reason[t], piece.origin[t], piece.area(t), piece.middle(t));
+      ledger.addRemoved(piece.reason[t], piece.origin[t], piece.area(t), piece.middle(t));
       continue;
     }
     rest.triangles.push_back(piece.mesh.triangles[t]);

@@ -17,6 +17,8 @@ class Ledger {
   explicit Ledger(const RepairFacts& before);
 
   void add(RepairKind kind, TriangleId origin, double area, const Vec3& place);
+  /// As add(), of a triangle that is gone.
+  void addRemoved(RepairKind kind, TriangleId origin, double area, const Vec3& place);
   /// As add(), for triangles that are counted by something else than their number (addCount()).
   void addUncounted(RepairKind kind, TriangleId origin, double area, const Vec3& place);
   void addCount(RepairKind kind, std::size_t count) { changes_[kind].count += count; }
@@ -26,6 +28,8 @@ class Ledger {
 
  private:
   std::map<RepairKind, RepairChange> changes_;
+  double largest_ = 0;  // mm², of the triangles that are gone
+  Vec3 largestPlace_ = Vec3::Zero();
 };
 
 /// The surface that is left, without what is gone; parts of a divided triangle take its place. What

@@ -195,6 +195,12 @@ RepairResult unchanged(const TriangleMesh& surface, const SurfaceFacts& facts) {
 
 }  // namespace
 
+NearRims nearRims(const TriangleMesh& surface, const RunContext& context, int threads) {
+  Workpiece piece(surface);
+  dropBadTriangles(piece, context, threads);
+  return repairing::nearRims(piece);
+}
+
 RepairResult repair(const TriangleMesh& surface, const RepairOptions& options, RunContext context,
                     int threads) {
   const double distance = distanceToWeld(surface, options);

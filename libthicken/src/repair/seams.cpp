@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "exact/box_tree.h"
+#include "mesh/half_edges.h"
 #include "mesh/sort_unique.h"
 #include "repair/divided_triangle.h"
 #include "repair/rims.h"
@@ -80,6 +81,20 @@ class SeamJoiner {
     noteLeft();
     apply(ledger);
     return std::move(result_);
+  }
+
+  // The corners that are near another rim.
+  [[nodiscard]] NearRims near() const {
+    NearRims result;
+    std::vector<std::uint8_t> counted(at_.size(), 0);
+    for (const Candidate& c : edges_) {
+      const VertexId v = rims_.stop(c.stop).vertex;
+      if (counted[v] != 0 || !isApart(c)) continue;
+      counted[v] = 1;
+      ++result.corners;
+      result.distance = c.apart;  // they come in ascending order
+    }
+    return result;
   }
 
  private:
@@ -352,10 +367,7 @@ class SeamJoiner {
     if (rims_.span(span).joined) return false;
     const auto ends = rims_.span(span).stops;
     const std::uint32_t slot = rims_.span(span).slot;
-    std::array<double, 2> rest{0, 0};
-    for (int k = 0; k < 2; ++k)
-      if (ends[k] != kNone) rest[k] = (at_[groupOf(ends[k])] - at_[group]).norm();
-    if (isBend(x, ends, rest, apart)) return false;
+    if (isBend(x, ends, toEnds(span, at_[group]), apart)) return false;
     const Sides along = sidesOf(x), across = sidesOfSpan(span);
     if (!keepsOrder(along, across) || !keepsOrder(across, along)) return false;
     std::vector<VertexId>& list = inserted_[slot];
@@ -379,21 +391,30 @@ class SeamJoiner {
     return place;
   }
 
+  // Whether the stop is open, near an open part of the other rim, and not joined to it.
+  [[nodiscard]] bool isApart(const Candidate& c) const {
+    const VertexId group = groupOf(c.stop);
+    const auto [a, b] = endsOf(c.other);
+    if (!isOpen(c.stop) || isAnchor(c.stop) || onto_[a] == group || onto_[b] == group) return false;
+    const std::uint32_t span = spansOf(c.other, at_[group]).front();
+    if (rims_.span(span).joined || lieOnEachOther(inwardOfStop(c.stop), inwardOfSlot(c.other))) return false;
+    return !isBend(c.stop, rims_.span(span).stops, toEnds(span, at_[group]), c.apart);
+  }
+
+  // How far the ends of a span are from p.
+  [[nodiscard]] std::array<double, 2> toEnds(std::uint32_t span, const Vec3& p) const {
+    std::array<double, 2> rest{0, 0};
+    const auto& ends = rims_.span(span).stops;
+    for (int k = 0; k < 2; ++k)
+      if (ends[k] != kNone) rest[k] = (at_[groupOf(ends[k])] - p).norm();
+    return rest;
+  }
+
   // Corners near another rim that are not on it, although both are open there.
   void noteLeft() {
-    std::vector<std::uint32_t> left;
-    for (const Candidate& c : edges_) {
-      const VertexId group = groupOf(c.stop);
-      const auto [a, b] = endsOf(c.other);
-      if (!isOpen(c.stop) || isAnchor(c.stop) || onto_[a] == group || onto_[b] == group) continue;
-      const std::uint32_t span = spansOf(c.other, at_[group]).front();
-      if (rims_.span(span).joined || lieOnEachOther(inwardOfStop(c.stop), inwardOfSlot(c.other))) continue;
-      const auto ends = rims_.span(span).stops;
-      std::array<double, 2> rest{0, 0};
-      for (int k = 0; k < 2; ++k)
-        if (ends[k] != kNone) rest[k] = (at_[groupOf(ends[k])] - at_[group]).norm();
-      if (!isBend(c.stop, ends, rest, c.apart)) left.push_back(rims_.stop(c.stop).vertex);
-    }
+    std::vector<VertexId> left;
+    for (const Candidate& c : edges_)
+      if (isApart(c)) left.push_back(rims_.stop(c.stop).vertex);
     sortUnique(left);
     result_.left = left.size();
     left.resize(std::min(left.size(), SeamFacts::kMaxPlaces));
@@ -436,6 +457,21 @@ class SeamJoiner {
 };
 
 }  // namespace
+
+NearRims nearRims(Workpiece& piece) {
+  constexpr double kNear = 0.25;  // of the mean rim edge
+  double sum = 0;
+  std::size_t count = 0;
+  const HalfEdges edges(piece.mesh.positions.size(), piece.mesh.triangles, piece.present);
+  edges.forEachEdge(
+      [&](VertexId a, VertexId b, std::span<const HalfEdge> uses, std::span<const HalfEdge> back) {
+        if (uses.size() + back.size() != 1) return;
+        sum += (piece.mesh.positions[a] - piece.mesh.positions[b]).norm();
+        ++count;
+      });
+  if (count == 0 || !(sum > 0)) return {};
+  return SeamJoiner(piece, kNear * sum / static_cast<double>(count)).near();
+}
 
 SeamFacts joinSeams(Workpiece& piece, double distance, Ledger& ledger) {
   if (!(distance > 0)) return {};

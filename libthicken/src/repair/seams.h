@@ -16,4 +16,7 @@ namespace thicken::repairing {
 /// joined. What was welded and divided goes to the ledger and the workpiece.
 [[nodiscard]] SeamFacts joinSeams(Workpiece& piece, double distance, Ledger& ledger);
 
+/// Rims within a quarter of the mean rim edge of each other. Changes nothing.
+[[nodiscard]] NearRims nearRims(Workpiece& piece);
+
 }  // namespace thicken::repairing
