@@ -18,7 +18,7 @@ namespace {
 using shapes::CutSurface;
 using shapes::SurfaceCutter;
 
-constexpr unsigned kSeeds = 40;
+constexpr unsigned kSeeds = 20;
 
 TEST(RepairSeams, JoinsSurfacesCutAlongRandomCurves) {
   for (const double jitter : {0.01, 0.03, 0.1, 0.2, 0.3, 0.5}) {
@@ -26,8 +26,8 @@ TEST(RepairSeams, JoinsSurfacesCutAlongRandomCurves) {
     for (unsigned seed = 1; seed <= kSeeds; ++seed) {
       SCOPED_TRACE(testing::Message() << "seed " << seed << ", jitter " << jitter);
       const CutSurface cut = SurfaceCutter(seed, jitter).make();
-      const RepairResult result = repair(weld(cut.mesh), {2 * jitter * cut.meanEdge});
-      EXPECT_TRUE(check(result.mesh).valid());
+      const RepairResult result = repair(weld(cut.mesh), {2 * jitter * cut.meanEdge}, {}, 1);
+      EXPECT_TRUE(check(result.mesh, {}, 1).valid());
       joined += result.facts.surface.components == cut.components;
     }
     EXPECT_GE(joined, std::ceil(0.95 * kSeeds)) << "jitter " << jitter;
@@ -97,7 +97,7 @@ TEST(RepairSeams, JoinsPanelsOfOppositeSense) {
 TEST(RepairSeams, LeavesSheetsThatLieOnEachOther) {
   const TriangleMesh mesh = shapes::together(shapes::flatSheet(4, 4, 0), shapes::flatSheet(4, 4, 0.05));
   const RepairResult result = repair(mesh, {0.1});
-  EXPECT_EQ(result.mesh.triangles, mesh.triangles);
+  EXPECT_TRUE(result.facts.changes.empty());
   EXPECT_EQ(result.facts.surface.components, 2u);
   EXPECT_EQ(nearRims(mesh).corners, 0u);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "program/run.h"
 
+#include <cmath>
 #include <iostream>
 #include <new>
 #include <string>
@@ -65,8 +66,11 @@ void printSummary(const Arguments& arguments, const Report& report) {
 
 void printNearRims(const NearRims& near) {
   if (near.corners == 0) return;
-  std::cout << near.corners << " corners are near another rim, up to " << near.distance
-            << " mm from it: --repair --weld " << near.distance << " would join them\n";
+  // rounded up, so that a weld over what is printed reaches them all
+  const double unit = std::pow(10, std::floor(std::log10(near.distance)) - 2);
+  const double distance = std::ceil(near.distance / unit) * unit;
+  std::cout << near.corners << " corners on rims are up to " << distance
+            << " mm from another rim: --repair --weld " << distance << " would join them\n";
 }
 
 void printSummary(const Arguments& arguments, const SurfaceFacts& facts) {

@@ -14,7 +14,8 @@ namespace thicken::repairing {
 /// that are gone have a part of their own.
 [[nodiscard]] std::vector<std::uint32_t> partsOfPiece(const Workpiece& piece);
 
-/// Removes connected parts with an area of less than `least`, mm², that were joined to more before.
+/// Removes connected parts with an area of less than `least`, mm², or of a single triangle or parts of one,
+/// that were joined to more before.
 /// `before`: partsOfPiece() at that time; triangles that were added since are parts of earlier ones.
 void dropCrumbs(Workpiece& piece, std::span<const std::uint32_t> before, double least);
 

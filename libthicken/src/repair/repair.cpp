@@ -214,8 +214,12 @@ RepairResult repair(const TriangleMesh& surface, const RepairOptions& options, R
   SeamFacts seams;
   if (options.weldDistance) seams = repairing::joinSeams(piece, distance, ledger);
   repairing::KnownMeetings known = findMeetings(piece, context, threads);
-  if (removeOverlaps(piece, known.pairs, threads) | endSheetsAtEdges(piece))
+  const std::vector<std::uint32_t> before = repairing::partsOfPiece(piece);
+  const double fin = meanArea(piece);
+  if (removeOverlaps(piece, known.pairs, threads) | endSheetsAtEdges(piece)) {
+    dropCrumbs(piece, before, fin);
     known = findMeetings(piece, context, threads);
+  }
   makeSenseConsistent(piece);
   context.throwIfCancelled();
   RepairResult result = separated(piece, known, distance, ledger, context, threads);

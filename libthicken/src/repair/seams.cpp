@@ -224,12 +224,22 @@ class SeamJoiner {
     const Vec3 up = at_[piece_.mesh.triangles[slot / 3][(slot % 3 + 2) % 3]] - at_[a];
     return (up - up.dot(along) * along).normalized();
   }
-  [[nodiscard]] Vec3 inwardOfStop(std::uint32_t stop) const {
-    const auto& spans = rims_.stop(stop).spans;
-    return inwardOfSlot(rims_.span(spans[0]).slot) + inwardOfSlot(rims_.span(spans[1]).slot);
+  // Whether the sheets at two rim edges lie on each other and not side by side.
+  [[nodiscard]] bool lieTogether(std::uint32_t slot, std::uint32_t other) const {
+    return inwardOfSlot(slot).dot(inwardOfSlot(other)) > kSameSide;
   }
-  static bool lieOnEachOther(const Vec3& a, const Vec3& b) {
-    return a.dot(b) > kSameSide * a.norm() * b.norm();
+  [[nodiscard]] std::array<std::uint32_t, 2> slotsAt(std::uint32_t stop) const {
+    const auto& spans = rims_.stop(stop).spans;
+    return {rims_.span(spans[0]).slot, rims_.span(spans[1]).slot};
+  }
+  [[nodiscard]] bool stopLiesOn(std::uint32_t stop, std::uint32_t slot) const {
+    const auto own = slotsAt(stop);
+    return lieTogether(own[0], slot) || lieTogether(own[1], slot);
+  }
+  [[nodiscard]] bool stopsLieTogether(std::uint32_t x, std::uint32_t y) const {
+    const auto a = slotsAt(x), b = slotsAt(y);
+    return (lieTogether(a[0], b[0]) && lieTogether(a[1], b[1])) ||
+           (lieTogether(a[0], b[1]) && lieTogether(a[1], b[0]));
   }
 
   [[nodiscard]] std::vector<Triangle> partsOfTriangle(TriangleId t) {
@@ -291,7 +301,7 @@ class SeamJoiner {
     const VertexId gx = groupOf(x), gy = groupOf(y);
     if (gx == gy || !mayGrow(gx, gy, among)) return false;
     const double apart = (at_[rims_.stop(x).vertex] - at_[rims_.stop(y).vertex]).norm();
-    if (isBend(x, {y, kNone}, {0, 0}, apart) || lieOnEachOther(inwardOfStop(x), inwardOfStop(y)))
+    if (isBend(x, {y, kNone}, {0, 0}, apart) || stopsLieTogether(x, y))
       return false;
     if (!keepsOrder(sidesOf(x), sidesOf(y)) || !keepsOrder(sidesOf(y), sidesOf(x))) return false;
     return moveGroup(std::max(gx, gy), std::min(gx, gy)) || moveGroup(std::min(gx, gy), std::max(gx, gy));
@@ -353,7 +363,7 @@ class SeamJoiner {
     const auto [a, b] = endsOf(slot);
     const double apart = toSegment(at_[group], at_[a], at_[b]);
     if (apart > distance_ || onto_[a] == group || onto_[b] == group) return false;
-    if (lieOnEachOther(inwardOfStop(x), inwardOfSlot(slot))) return false;
+    if (stopLiesOn(x, slot)) return false;
     if (const auto found = inserted_.find(slot); found != inserted_.end())
       for (const VertexId v : found->second)
         if (onto_[v] == group) return false;
@@ -397,7 +407,7 @@ class SeamJoiner {
     const auto [a, b] = endsOf(c.other);
     if (!isOpen(c.stop) || isAnchor(c.stop) || onto_[a] == group || onto_[b] == group) return false;
     const std::uint32_t span = spansOf(c.other, at_[group]).front();
-    if (rims_.span(span).joined || lieOnEachOther(inwardOfStop(c.stop), inwardOfSlot(c.other))) return false;
+    if (rims_.span(span).joined || stopLiesOn(c.stop, c.other)) return false;
     return !isBend(c.stop, rims_.span(span).stops, toEnds(span, at_[group]), c.apart);
   }
 
