@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Random surfaces cut into panels along random curves. The two rims of a cut have different corners, and all of
-// these are moved at random.
+// Random surfaces cut into panels along random curves. The two rims of a cut have different corners, and all
+// of these are moved at random.
 #pragma once
 
 #include <algorithm>
@@ -18,13 +18,13 @@ namespace thicken::shapes {
 
 struct CutSurface {
   TriangleMesh mesh;
-  double meanEdge = 0;          ///< mm
-  std::size_t components = 0;   ///< before the cut
-  std::size_t rims = 0;         ///< before the cut
+  double meanEdge = 0;         ///< mm
+  std::size_t components = 0;  ///< before the cut
+  std::size_t rims = 0;        ///< before the cut
 };
 
-/// Panels side by side over the unit square, put on a wavy sheet or rolled up. `jitter`: how far a corner on a
-/// cut may be from it, in mean edges.
+/// Panels side by side over the unit square, put on a wavy sheet or rolled up. `jitter`: how far a corner on
+/// a cut may be from it, in mean edges.
 class SurfaceCutter {
  public:
   SurfaceCutter(unsigned seed, double jitter) : random_(seed), jitter_(jitter) {}
@@ -60,7 +60,8 @@ class SurfaceCutter {
     return [x](double) { return x; };
   }
   Curve wave() {
-    const double middle = 0.35 + 0.3 * unit(), swing = 0.08 * unit(), times = 2 + 3 * unit(), phase = 6 * unit();
+    const double middle = 0.35 + 0.3 * unit(), swing = 0.08 * unit(), times = 2 + 3 * unit(),
+                 phase = 6 * unit();
     return [=](double s) { return middle + swing * std::sin(times * s + phase); };
   }
   [[nodiscard]] Vec3 onSurface(double u, double v) const {

@@ -157,7 +157,9 @@ TEST(RepairOutcome, WarnsOfALossAndRefusesItWhereStrict) {
   options.method = Method::kSweep;
   const Solid solid = thicken(lowWall(), options);
   ASSERT_GE(solid.report.warnings.size(), 2u);
-  const auto tells = [](const std::string& text) { return text.find("the repair removed") != std::string::npos; };
+  const auto tells = [](const std::string& text) {
+    return text.find("the repair removed") != std::string::npos;
+  };
   EXPECT_TRUE(std::any_of(solid.report.warnings.begin(), solid.report.warnings.end(), tells));
   options.strict = true;
   try {

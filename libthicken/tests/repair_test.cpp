@@ -245,7 +245,8 @@ TEST(Repair, LeavesOnePartAtAVertexWhereTwoTouch) {
   EXPECT_EQ(countOf(result, RepairKind::kNonManifoldVertex), 2u);
   EXPECT_EQ(result.facts.surface.components, 2u);
   for (const TriangleId t : changeOf(result, RepairKind::kNonManifoldVertex)->triangles) EXPECT_GE(t, 32u);
-  EXPECT_NEAR(result.facts.removedArea, 2 * 0.6 / 16, 0.2 / 16) << "a corner a quarter as long as the triangle";
+  EXPECT_NEAR(result.facts.removedArea, 2 * 0.6 / 16, 0.2 / 16)
+      << "a corner a quarter as long as the triangle";
 }
 
 // Every other cell of a board, each of two triangles: all corners inside touch two cells.

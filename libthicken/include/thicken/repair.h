@@ -71,8 +71,8 @@ struct NearRims {
 struct RepairFacts {
   double weldDistance = 0;  ///< mm, the farthest that corners were welded over
   SeamFacts seams;
-  std::size_t removed = 0;  ///< triangles, or parts of divided ones, that are gone
-  double removedArea = 0;   ///< mm², without that of duplicates, which stay once
+  std::size_t removed = 0;           ///< triangles, or parts of divided ones, that are gone
+  double removedArea = 0;            ///< mm², without that of duplicates, which stay once
   Vec3 largestPlace = Vec3::Zero();  ///< mm, the middle of the largest triangle that is gone
   std::vector<RepairChange>
       changes;           ///< in the order of RepairKind, one entry a kind; empty: nothing to mend
@@ -81,8 +81,8 @@ struct RepairFacts {
 
 struct RepairOptions {
   /// mm, 0 or more: rims that are at most so far apart are joined, whatever their corners: corners become
-  /// one, or divide an edge of the other rim. Unset: only corners that are at most a millionth of the bounding
-  /// box's diagonal apart, and not farther than half the shortest edge at either, become one.
+  /// one, or divide an edge of the other rim. Unset: only corners that are at most a millionth of the
+  /// bounding box's diagonal apart, and not farther than half the shortest edge at either, become one.
   std::optional<double> weldDistance;
 };
 

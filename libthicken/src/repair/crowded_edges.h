@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Step 4: of the sheets that share an edge the one that runs through stays whole, and the others end beside it.
+// Step 4: of the sheets that share an edge the one that runs through stays whole, and the others end beside
+// it.
 #pragma once
 
 #include "repair/workpiece.h"

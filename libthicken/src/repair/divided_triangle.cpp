@@ -75,8 +75,7 @@ std::vector<Triangle> partsOf(std::span<const Vec3> positions, const Triangle& c
     std::vector<Triangle> parts = fansFrom(first, corners, divisions);
     double least = 2;
     for (const Triangle& t : parts) {
-      const int sign =
-          exact::orientation2(positions[t[0]], positions[t[1]], positions[t[2]], facing.axis);
+      const int sign = exact::orientation2(positions[t[0]], positions[t[1]], positions[t[2]], facing.axis);
       least = std::min(least, sign == facing.sign ? shapeOf(positions, t) : -1.0);
     }
     if (least < 0 || least <= bestShape) continue;

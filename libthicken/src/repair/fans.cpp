@@ -11,8 +11,8 @@
 
 namespace thicken::repairing {
 
-std::vector<std::vector<TriangleId>> fansAt(const Workpiece& piece, const VertexTriangles& around,
-                                            VertexId v, std::span<const std::uint8_t> lost) {
+std::vector<std::vector<TriangleId>> fansAt(const Workpiece& piece, const VertexTriangles& around, VertexId v,
+                                            std::span<const std::uint8_t> lost) {
   struct Spoke {
     VertexId end;
     std::uint32_t index;

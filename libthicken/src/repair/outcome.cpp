@@ -13,8 +13,8 @@ constexpr double kMostLost = 0.05;  // share of the area
 constexpr double kMostThin = 0.05;
 constexpr double kThin = 0.5;  // of the thickness
 
-// Share of the area of S below which the solid is thinner than half of what was asked. A triangle is as deep as
-// the mean of its corners.
+// Share of the area of S below which the solid is thinner than half of what was asked. A triangle is as deep
+// as the mean of its corners.
 double thinShare(const Solid& solid) {
   double thin = 0, all = 0;
   const auto& p = solid.mesh.positions;

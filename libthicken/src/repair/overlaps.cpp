@@ -23,7 +23,8 @@ constexpr int kSmoothings = 4;
 
 class Overlaps {
  public:
-  Overlaps(Workpiece& piece, int threads) : piece_(piece), threads_(threads), parts_(piece.mesh.triangles.size()) {
+  Overlaps(Workpiece& piece, int threads)
+      : piece_(piece), threads_(threads), parts_(piece.mesh.triangles.size()) {
     const auto& triangles = piece.mesh.triangles;
     std::vector<TriangleId> first(piece.mesh.positions.size(), kNone);
     for (TriangleId t = 0; t < triangles.size(); ++t) {
@@ -109,8 +110,8 @@ class Overlaps {
     for (const TriangleId u : tree.near(p - margin, p + margin)) {
       const Triangle& c = piece_.mesh.triangles[u];
       if (n.dot(normal(u)) < kSameOrientation) continue;
-      const PreparedTriangle other({piece_.mesh.positions[c[0]], piece_.mesh.positions[c[1]],
-                                    piece_.mesh.positions[c[2]]}, c);
+      const PreparedTriangle other(
+          {piece_.mesh.positions[c[0]], piece_.mesh.positions[c[1]], piece_.mesh.positions[c[2]]}, c);
       const TriangleClosest hit = closestOnTriangle(p, other, least);
       if (hit.squaredDistance > least) continue;
       least = hit.squaredDistance;

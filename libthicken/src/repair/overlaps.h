@@ -10,9 +10,9 @@
 
 namespace thicken::repairing {
 
-/// Where two connected parts of one orientation lie within a mean edge of each other, and a quarter or more of
-/// the triangles there meet the other part, the part with the smaller area loses all that lies on the other.
-/// `pairs`: the triangles that meet. Returns whether anything was removed.
+/// Where two connected parts of one orientation lie within a mean edge of each other, and a quarter or more
+/// of the triangles there meet the other part, the part with the smaller area loses all that lies on the
+/// other. `pairs`: the triangles that meet. Returns whether anything was removed.
 bool removeOverlaps(Workpiece& piece, std::span<const exact::TrianglePair> pairs, int threads);
 
 }  // namespace thicken::repairing

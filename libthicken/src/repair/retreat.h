@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Takes a sheet back from corners and edges that another sheet keeps. Vertices of equal coordinates are one to
-// every reader of a file, so that a sheet has to end beside such a corner and not at it.
+// Takes a sheet back from corners and edges that another sheet keeps. Vertices of equal coordinates are one
+// to every reader of a file, so that a sheet has to end beside such a corner and not at it.
 #pragma once
 
 #include <cstdint>

@@ -180,8 +180,7 @@ class SeamJoiner {
   }
 
   [[nodiscard]] std::uint32_t firstAnchor(const std::vector<std::uint32_t>& stops) const {
-    const auto found =
-        std::find_if(stops.begin(), stops.end(), [&](std::uint32_t s) { return isAnchor(s); });
+    const auto found = std::find_if(stops.begin(), stops.end(), [&](std::uint32_t s) { return isAnchor(s); });
     return found == stops.end() ? kNone : *found;
   }
 
@@ -301,8 +300,7 @@ class SeamJoiner {
     const VertexId gx = groupOf(x), gy = groupOf(y);
     if (gx == gy || !mayGrow(gx, gy, among)) return false;
     const double apart = (at_[rims_.stop(x).vertex] - at_[rims_.stop(y).vertex]).norm();
-    if (isBend(x, {y, kNone}, {0, 0}, apart) || stopsLieTogether(x, y))
-      return false;
+    if (isBend(x, {y, kNone}, {0, 0}, apart) || stopsLieTogether(x, y)) return false;
     if (!keepsOrder(sidesOf(x), sidesOf(y)) || !keepsOrder(sidesOf(y), sidesOf(x))) return false;
     return moveGroup(std::max(gx, gy), std::min(gx, gy)) || moveGroup(std::min(gx, gy), std::max(gx, gy));
   }
@@ -320,9 +318,8 @@ class SeamJoiner {
     const std::size_t vertices = vertices_[to].size(), stops = stops_[to].size();
     vertices_[to].insert(vertices_[to].end(), vertices_[from].begin(), vertices_[from].end());
     stops_[to].insert(stops_[to].end(), stops_[from].begin(), stops_[from].end());
-    const bool fits = !crowds(to) && std::none_of(touched.begin(), touched.end(), [&](TriangleId t) {
-      return partsOfTriangle(t).empty();
-    });
+    const bool fits = !crowds(to) && std::none_of(touched.begin(), touched.end(),
+                                                  [&](TriangleId t) { return partsOfTriangle(t).empty(); });
     if (!fits) {
       vertices_[to].resize(vertices);
       stops_[to].resize(stops);

@@ -36,8 +36,8 @@ class SheetFinder {
     }
     const std::vector<double> sheetArea = areasOf(sheets);
     for (std::size_t i = 0; i < pairs.size(); ++i)
-      result_.edges[i].through = *std::max_element(
-          pairs[i].begin(), pairs[i].end(), [&](const SlotPair& a, const SlotPair& b) {
+      result_.edges[i].through =
+          *std::max_element(pairs[i].begin(), pairs[i].end(), [&](const SlotPair& a, const SlotPair& b) {
             return sizeOf(a, sheets, sheetArea) < sizeOf(b, sheets, sheetArea);
           });
     result_.areaAt.resize(piece_.mesh.triangles.size());

@@ -12,7 +12,7 @@ namespace thicken::repairing {
 
 /// An edge of three or more triangles.
 struct CrowdedEdge {
-  std::vector<std::uint32_t> slots;  ///< all uses, as 3 · triangle + corner
+  std::vector<std::uint32_t> slots;        ///< all uses, as 3 · triangle + corner
   std::array<std::uint32_t, 2> through{};  ///< the two of them that the surface keeps
 };
 
