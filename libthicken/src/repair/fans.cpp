@@ -66,12 +66,15 @@ void giveUpPinched(const Workpiece& piece, const VertexTriangles& around, std::s
   }
 }
 
-void cutPinchedVertices(Workpiece& piece) {
+bool cutPinchedVertices(Workpiece& piece) {
   const std::size_t slots = 3 * piece.mesh.triangles.size();
   GivenUp given{std::vector<std::uint8_t>(slots, 0), std::vector<std::uint8_t>(slots, 0)};
   const VertexTriangles around = vertexTriangles(piece.mesh.positions.size(), piece.mesh.triangles);
   giveUpPinched(piece, around, sheetsOf(piece).areaAt, given);
-  retreat(piece, given, RepairKind::kNonManifoldVertex);
+  const bool any =
+      std::any_of(given.corner.begin(), given.corner.end(), [](std::uint8_t c) { return c != 0; });
+  if (any) retreat(piece, given, RepairKind::kNonManifoldVertex);
+  return any;
 }
 
 void openPinchedVertices(Workpiece& piece, const VertexTriangles& around) {

@@ -24,8 +24,8 @@ namespace thicken::repairing {
 void giveUpPinched(const Workpiece& piece, const VertexTriangles& around, std::span<const double> areaAt,
                    GivenUp& given);
 
-/// Cuts parts back that touch others in a point only.
-void cutPinchedVertices(Workpiece& piece);
+/// Cuts parts back that touch others in a point only. Returns whether there were any.
+bool cutPinchedVertices(Workpiece& piece);
 
 /// At each vertex of several fans of triangles all but the one with the largest area are removed,
 /// until no such vertex is left.

@@ -79,9 +79,10 @@ RepairResult packed(const Workpiece& piece, double weldDistance, Ledger ledger) 
 
 RepairResult proved(RepairResult result, const RunContext& context, int threads) {
   CheckResult proof = check(result.mesh, context, threads);
-  if (!proof.valid())
-    throw Error(ErrorCode::kInternal, "the repaired surface is not valid: " + proof.defects.front().sentence,
-                std::move(proof.defects));
+  if (!proof.valid()) {
+    const std::string why = "the repaired surface is not valid: " + proof.defects.front().sentence;
+    throw Error(ErrorCode::kInternal, why, std::move(proof.defects));
+  }
   result.facts.surface = proof.facts;
   return result;
 }

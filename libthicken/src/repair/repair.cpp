@@ -5,7 +5,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -103,14 +102,10 @@ void weldNearCorners(Workpiece& piece, double distance, repairing::Ledger& ledge
   ledger.addCount(RepairKind::kWelded, near.moved);
 }
 
-// How a vertex at which parts touch in a point only is opened.
-enum class Opening {
-  kCut,     ///< triangles are cut back from it
-  kRemove,  ///< triangles at it go; others that those met may come back
-};
-
 // Removes as little as it takes that no two triangles meet, and no vertex joins several fans.
-void separate(Workpiece& piece, const repairing::KnownMeetings& known, Opening opening) {
+// Triangles that were there when `mayReturn` was taken may come back.
+void separate(Workpiece& piece, const repairing::KnownMeetings& known,
+              std::span<const std::uint8_t> mayReturn) {
   const std::size_t count = piece.mesh.triangles.size();
   const repairing::MeetingGraph graph(count, known.pairs);
   // By area, but a triangle is a loss of its own, too: many slivers are not better than one triangle.
@@ -121,22 +116,15 @@ void separate(Workpiece& piece, const repairing::KnownMeetings& known, Opening o
   for (const TriangleId t : repairing::smallCover(graph, piece.present, weight))
     piece.remove(t, RepairKind::kSelfIntersecting);
   const VertexTriangles around = vertexTriangles(piece.mesh.positions.size(), piece.mesh.triangles);
-  if (opening == Opening::kRemove) openPinchedVertices(piece, around);
+  openPinchedVertices(piece, around);
   std::vector<std::uint8_t> candidate(count, 0);
   for (TriangleId t = 0; t < count; ++t) {
-    const RepairKind why = piece.reason[t];
-    candidate[t] = piece.present[t] == 0 && known.goneForGood[t] == 0 &&
-                   (why == RepairKind::kOneSided || why == RepairKind::kSelfIntersecting ||
-                    why == RepairKind::kNonManifoldVertex);
+    candidate[t] = piece.present[t] == 0 && mayReturn[t] != 0 && known.goneForGood[t] == 0;
   }
   putBack(piece, around, graph, candidate);
-  if (opening == Opening::kRemove) return;
-  cutPinchedVertices(piece);
-  // where a triangle went as a whole parts may touch again
-  openPinchedVertices(piece, vertexTriangles(piece.mesh.positions.size(), piece.mesh.triangles));
 }
 
-// Parts that come off and are smaller than this many mean triangles are dropped.
+// Parts that come off beside an overlap and are smaller than this many mean triangles are dropped.
 constexpr double kCrumbTriangles = 8;
 
 double meanArea(const Workpiece& piece) {
@@ -148,33 +136,6 @@ double meanArea(const Workpiece& piece) {
       ++count;
     }
   return count > 0 ? sum / static_cast<double>(count) : 0;
-}
-
-// The way that loses less. New corners are rounded, so that cutting may fail where sheets nearly touch.
-RepairResult separated(const Workpiece& piece, const repairing::KnownMeetings& known, double distance,
-                       const repairing::Ledger& ledger, const RunContext& context, int threads) {
-  const std::vector<std::uint32_t> before = repairing::partsOfPiece(piece);
-  const double crumb = kCrumbTriangles * meanArea(piece);
-  const auto by = [&](Opening opening, bool dropping) {
-    context.throwIfCancelled();
-    Workpiece part = piece;
-    separate(part, known, opening);
-    if (dropping) dropCrumbs(part, before, crumb);
-    return packed(part, distance, ledger);
-  };
-  RepairResult plain = by(Opening::kRemove, false);
-  constexpr std::array<std::pair<Opening, bool>, 3> kWays{
-      {{Opening::kCut, true}, {Opening::kRemove, true}, {Opening::kCut, false}}};
-  for (const auto& [opening, dropping] : kWays) {
-    RepairResult result = by(opening, dropping);
-    if (result.mesh.triangles.empty() || result.facts.removedArea > plain.facts.removedArea) continue;
-    CheckResult proof = check(result.mesh, context, threads);
-    if (!proof.valid()) continue;
-    result.facts.surface = proof.facts;
-    return result;
-  }
-  if (plain.mesh.triangles.empty()) return plain;
-  return repairing::proved(std::move(plain), context, threads);
 }
 
 RepairResult unchanged(const TriangleMesh& surface, const SurfaceFacts& facts) {
@@ -216,16 +177,21 @@ RepairResult repair(const TriangleMesh& surface, const RepairOptions& options, R
   repairing::KnownMeetings known = findMeetings(piece, context, threads);
   const std::vector<std::uint32_t> before = repairing::partsOfPiece(piece);
   const double fin = meanArea(piece);
-  if (removeOverlaps(piece, known.pairs, threads) | endSheetsAtEdges(piece)) {
+  const bool overlapping = removeOverlaps(piece, known.pairs, threads);
+  if (overlapping | endSheetsAtEdges(piece) | cutPinchedVertices(piece)) {
     dropCrumbs(piece, before, fin);
     known = findMeetings(piece, context, threads);
   }
+  const std::vector<std::uint8_t> mayReturn = piece.present;
   makeSenseConsistent(piece);
   context.throwIfCancelled();
-  RepairResult result = separated(piece, known, distance, ledger, context, threads);
+  separate(piece, known, mayReturn);
+  // Elsewhere what comes off may be somebody's button: it stays.
+  if (overlapping) dropCrumbs(piece, before, kCrumbTriangles * fin);
+  RepairResult result = packed(piece, distance, std::move(ledger));
   if (result.mesh.triangles.empty()) refuseAll(given);
   result.facts.seams = std::move(seams);
-  return result;
+  return repairing::proved(std::move(result), context, threads);
 }
 
 }  // namespace thicken

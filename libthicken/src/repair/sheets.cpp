@@ -81,6 +81,10 @@ class SheetFinder {
     return (piece_.mesh.positions[c[slot % 3]] - piece_.mesh.positions[c[(slot % 3 + 1) % 3]]).norm();
   }
 
+  [[nodiscard]] VertexId startOf(std::uint32_t slot) const {
+    return piece_.mesh.triangles[slot / 3][slot % 3];
+  }
+
   using PatchPair = std::pair<std::uint32_t, std::uint32_t>;
   [[nodiscard]] PatchPair patchesOf(const SlotPair& p) {
     return std::minmax(patches_.root(p[0] / 3), patches_.root(p[1] / 3));
@@ -114,22 +118,23 @@ class SheetFinder {
   }
 
   std::vector<SlotPair> pairedUp(const CrowdedEdge& edge, const std::vector<double>& patchArea) {
-    std::vector<std::tuple<double, double, SlotPair>> open;  // bend, area of both, who
+    std::vector<std::tuple<double, bool, double, SlotPair>> open;  // bend, one sense, area of both, who
     forEachPair(edge, [&](const SlotPair& p) {
       const double area = patchArea[patches_.root(p[0] / 3)] + patchArea[patches_.root(p[1] / 3)];
-      open.emplace_back(bendOf(p), area, p);
+      open.emplace_back(bendOf(p), startOf(p[0]) != startOf(p[1]), area, p);
     });
     std::vector<SlotPair> pairs;
     while (!open.empty()) {
       const double least = std::get<0>(*std::min_element(open.begin(), open.end()));
       const auto worse = [&](const auto& a, const auto& b) {
         const bool aFar = std::get<0>(a) > least + kSameBend, bFar = std::get<0>(b) > least + kSameBend;
-        return aFar != bFar ? aFar : std::get<1>(a) < std::get<1>(b);
+        if (aFar != bFar) return aFar;
+        return std::pair(std::get<1>(a), std::get<2>(a)) < std::pair(std::get<1>(b), std::get<2>(b));
       };
-      const SlotPair best = std::get<2>(*std::max_element(open.begin(), open.end(), worse));
+      const SlotPair best = std::get<3>(*std::max_element(open.begin(), open.end(), worse));
       pairs.push_back(best);
       std::erase_if(open, [&](const auto& entry) {
-        const SlotPair& p = std::get<2>(entry);
+        const SlotPair& p = std::get<3>(entry);
         return p[0] == best[0] || p[0] == best[1] || p[1] == best[0] || p[1] == best[1];
       });
     }
