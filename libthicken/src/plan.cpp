@@ -48,8 +48,7 @@ void requireValid(const Options& options) {
     refuse(fmt::format("the number of threads must not be negative, and is {}", options.threads));
   if (options.method == Method::kReconstruct && options.side == Side::kBoth)
     refuse("the method reconstruct thickens to one side; use auto or sweep for both sides");
-  if (options.strict && !options.repair)
-    refuse("strict judges what a repair made; ask for the repair, too");
+  if (options.strict && !options.repair) refuse("strict judges what a repair made; ask for the repair, too");
   if (options.weld && !options.repair)
     refuse("a distance to weld corners over is part of a repair; ask for the repair, too");
   if (options.weld && (!std::isfinite(*options.weld) || *options.weld < 0))

@@ -309,7 +309,8 @@ Solid thickenKnown(const TriangleMesh& input, const Options& options, RunContext
   context.reserve(predicted, "thicken a part of the surface at a time, or simplify it first");
   RepairResult surface = validSurface(std::move(given), options, context, threads, watch, known);
   requireRoom(surface.mesh, options);
-  const NearRims near = surface.facts.surface.rims > 0 ? nearRims(surface.mesh, context, threads) : NearRims{};
+  const NearRims near =
+      surface.facts.surface.rims > 0 ? nearRims(surface.mesh, context, threads) : NearRims{};
 
   Solid solid = solidOfRepaired(surface, options, context, threads, watch, known);
   solid.report.predictedMemory = std::max(solid.report.predictedMemory, predicted);

@@ -17,9 +17,9 @@
 namespace thicken {
 
 struct CheckResult {
-  SurfaceFacts facts;           ///< as far as they make sense for what was found
+  SurfaceFacts facts;                ///< as far as they make sense for what was found
   std::optional<NearRims> nearRims;  ///< where nearRims() was asked, too
-  std::vector<Defect> defects;  ///< all kinds that were found, at most one entry a kind; empty: valid
+  std::vector<Defect> defects;       ///< all kinds that were found, at most one entry a kind; empty: valid
   [[nodiscard]] bool valid() const noexcept { return defects.empty(); }
 };
 

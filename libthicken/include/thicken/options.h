@@ -39,7 +39,7 @@ struct Options {
   bool repair = false;              ///< mend a defective input first and report every change (repair.h)
   std::optional<double> weld;       ///< with repair: mm, RepairOptions::weldDistance
   bool strict = false;  ///< refuse a solid that lost too much or is mostly too thin (docs/repair.md)
-  int threads = 0;                  ///< 0: all that the machine has
+  int threads = 0;      ///< 0: all that the machine has
 };
 
 [[nodiscard]] std::string_view name(Side side) noexcept;

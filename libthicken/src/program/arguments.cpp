@@ -92,8 +92,7 @@ void describeThicken(CLI::App& app, Arguments& arguments) {
       ->type_name("E");
   app.add_option("--smooth", options.smooth, "Rounds of shape optimisation")->type_name("ROUNDS");
   app.add_flag("--repair", options.repair, "Mend a defective surface first and report every change");
-  app.add_option("--weld", options.weld,
-                 "With --repair: join rims that are at most so far apart, mm")
+  app.add_option("--weld", options.weld, "With --repair: join rims that are at most so far apart, mm")
       ->type_name("E");
   app.add_flag("--strict", options.strict,
                "With --repair: refuse a solid that lost more than 5 % of the area or is mostly too thin");
