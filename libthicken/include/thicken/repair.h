@@ -5,8 +5,10 @@
 // triangles meet, crowd at an edge or touch in a point only, as few of them as possible are removed.
 //
 // Guarantee: the result is empty of every defect that check() knows. No corner moves but those that
-// are welded to another; every triangle of the result is one of the input (in either sense) or an
-// exact part of one that was divided. A valid surface comes back as it was, bit for bit.
+// are welded to another. Every triangle of the result is one of the input, in either sense and with welded
+// corners, or a part of one. Parts are divided at corners of other rims, or cut off where a sheet ends beside
+// another: the new corners there are rounded. A valid surface comes back as it was, bit for bit, unless
+// rims of it are joined.
 #pragma once
 
 #include <optional>

@@ -22,7 +22,8 @@ struct Sheets {
 };
 
 /// Pairs the triangles at such edges up: two patches that meet with the smallest bend, taken over all edges
-/// that they share, go on into each other. Where bends differ by less than 15°, larger patches come first.
+/// that they share, go on into each other. Where bends differ by less than 15°, patches of one sense and then
+/// larger ones come first.
 /// Patches that go on into each other with a bend of less than 90° are one sheet, and each edge keeps
 /// the pair of the sheet with the largest area.
 [[nodiscard]] Sheets sheetsOf(const Workpiece& piece);
