@@ -53,6 +53,7 @@ void requireValid(const Options& options) {
         "mitred joins are farther from the surface than the thickness; a tolerance and the method "
         "reconstruct "
         "are for round ones: leave out the join, or ask for round");
+  if (options.strict && !options.repair) refuse("strict judges what a repair made; ask for the repair, too");
   if (options.weld && !options.repair)
     refuse("a distance to weld corners over is part of a repair; ask for the repair, too");
   if (options.weld && (!std::isfinite(*options.weld) || *options.weld < 0))

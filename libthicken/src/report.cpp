@@ -113,11 +113,21 @@ Json repairFacts(const std::optional<RepairFacts>& facts) {
                        {"triangles", change.triangles},
                        {"places_mm", places}});
   }
+  Json left = Json::array();
+  for (const Vec3& place : facts->seams.leftPlaces) left.push_back(toPlace(place));
   return {{"weld_distance_mm", facts->weldDistance},
+          {"joined_edges", facts->seams.joinedEdges},
+          {"left_corners", facts->seams.left},
+          {"left_places_mm", left},
           {"removed_triangles", facts->removed},
           {"removed_area_mm2", facts->removedArea},
+          {"largest_place_mm", toPlace(facts->largestPlace)},
           {"changes", changes},
           {"surface", surfaceFacts(facts->surface)}};
+}
+
+Json nearRimFacts(const NearRims& facts) {
+  return {{"corners", facts.corners}, {"distance_mm", facts.distance}};
 }
 
 Json head(const char* status) {
@@ -135,6 +145,7 @@ std::string text(const Json& json) {
 std::string toJson(const Report& report) {
   Json json = head("ok");
   json["input"] = surfaceFacts(report.input);
+  json["near_rims"] = nearRimFacts(report.nearRims);
   json["repair"] = repairFacts(report.repair);
   json["parameters"] = parameters(report);
   json["field"] = {{"cells", report.fieldCells}, {"nodes", report.fieldNodes}, {"finest_cell_mm", nullptr}};
@@ -177,6 +188,7 @@ std::string toJson(const CheckResult& result) {
     json["sentence"] = first.sentence;
   }
   json["input"] = surfaceFacts(result.facts);
+  if (result.nearRims) json["near_rims"] = nearRimFacts(*result.nearRims);
   json["defects"] = defectList(result.defects);
   return text(json);
 }

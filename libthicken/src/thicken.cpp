@@ -16,6 +16,7 @@
 #include "plan.h"
 #include "reconstruct/reconstruct.h"
 #include "repair/folds.h"
+#include "repair/outcome.h"
 #include "sweep/sweep.h"
 
 namespace thicken {
@@ -308,6 +309,8 @@ Solid thickenKnown(const TriangleMesh& input, const Options& options, RunContext
   context.reserve(predicted, "thicken a part of the surface at a time, or simplify it first");
   RepairResult surface = validSurface(std::move(given), options, context, threads, watch, known);
   requireRoom(surface.mesh, options);
+  const NearRims near =
+      surface.facts.surface.rims > 0 ? nearRims(surface.mesh, context, threads) : NearRims{};
 
   Solid solid = solidOfRepaired(surface, options, context, threads, watch, known);
   solid.report.predictedMemory = std::max(solid.report.predictedMemory, predicted);
@@ -317,7 +320,12 @@ Solid thickenKnown(const TriangleMesh& input, const Options& options, RunContext
     solid.report.repair = known.repair;
     solid.repaired = std::move(surface.mesh);
   }
+  solid.report.nearRims = near;
   addWarnings(solid.report);
+  if (const std::optional<std::string> why = repairing::shortcoming(solid)) {
+    if (options.strict) throw Error(ErrorCode::kNoSolid, *why);
+    solid.report.warnings.push_back(*why);
+  }
   context.enter(Stage::kDone, 1, 1);
   return solid;
 }

@@ -5,7 +5,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <chrono>
 #include <limits>
 #include <random>
 #include <set>
@@ -211,7 +210,8 @@ TEST(Repair, RemovesTheFinAndNotWhatItStandsOn) {
   mesh.triangles.push_back({7, 12, 25});
   const RepairResult result = repaired(mesh);
   EXPECT_EQ(changeOf(result, RepairKind::kNonManifoldEdge)->triangles, std::vector<TriangleId>{32});
-  EXPECT_EQ(result.facts.removed, 1u);
+  ASSERT_EQ(countOf(result, RepairKind::kCrumb), 1u) << "its tip";
+  EXPECT_EQ(cornersOf(result.mesh), cornersOf(sheet(4, 4)));
 }
 
 // Three sheets of four cells each along one line, of different widths.
@@ -231,9 +231,10 @@ TEST(Repair, CutsOneSheetOfThreeAlongTheirCommonEdge) {
   }
   const RepairResult result = repaired(weld(mesh));
   EXPECT_EQ(result.facts.surface.components, 2u);
-  EXPECT_EQ(result.facts.removed, 8u) << "one row of four cells";
-  for (const TriangleId t : result.origin)
-    EXPECT_TRUE(t >= 16 || t % 4 >= 2) << "the narrowest sheet gives way";
+  EXPECT_EQ(countOf(result, RepairKind::kNonManifoldEdge), result.facts.removed);
+  for (const TriangleId t : changeOf(result, RepairKind::kNonManifoldEdge)->triangles)
+    EXPECT_TRUE(t < 16 && t % 4 < 2) << "the narrowest sheet gives way, in one row of four cells";
+  EXPECT_LT(result.facts.removedArea, 0.5 * 4) << "a quarter of the row's width, less at the apexes";
 }
 
 TEST(Repair, LeavesOnePartAtAVertexWhereTwoTouch) {
@@ -244,6 +245,59 @@ TEST(Repair, LeavesOnePartAtAVertexWhereTwoTouch) {
   EXPECT_EQ(countOf(result, RepairKind::kNonManifoldVertex), 2u);
   EXPECT_EQ(result.facts.surface.components, 2u);
   for (const TriangleId t : changeOf(result, RepairKind::kNonManifoldVertex)->triangles) EXPECT_GE(t, 32u);
+  EXPECT_NEAR(result.facts.removedArea, 2 * 0.6 / 16, 0.2 / 16)
+      << "a corner a quarter as long as the triangle";
+}
+
+// Every other cell of a board, each of two triangles: all corners inside touch two cells.
+TEST(Repair, OpensACheckerWithoutLosingMuchOfIt) {
+  TriangleMesh mesh;
+  const TriangleMesh board = sheet(8, 8);
+  mesh.positions = board.positions;
+  for (VertexId y = 0; y < 8; ++y)
+    for (VertexId x = y % 2; x < 8; x += 2)
+      for (VertexId k = 0; k < 2; ++k) mesh.triangles.push_back(board.triangles[2 * (8 * y + x) + k]);
+  mesh = weld(mesh);
+  const RepairResult result = repaired(mesh);
+  EXPECT_EQ(result.facts.surface.components, 32u) << "no cell is lost";
+  EXPECT_LT(result.facts.removedArea, 0.15 * areaOf(mesh));
+}
+
+// A wall on a floor, of more area than either half of the floor.
+TEST(Repair, KeepsTheSheetThatRunsThrough) {
+  TriangleMesh mesh = sheet(8, 8);
+  for (Vec3& p : mesh.positions) p.z() = 0;
+  const auto first = static_cast<VertexId>(mesh.positions.size());
+  for (VertexId z = 1; z <= 7; ++z)
+    for (VertexId y = 0; y <= 8; ++y) mesh.positions.emplace_back(4, y, z);
+  const auto id = [&](VertexId y, VertexId z) { return z == 0 ? 9 * y + 4 : first + 9 * (z - 1) + y; };
+  for (VertexId z = 0; z < 7; ++z)
+    for (VertexId y = 0; y < 8; ++y) {
+      mesh.triangles.push_back({id(y, z), id(y + 1, z), id(y + 1, z + 1)});
+      mesh.triangles.push_back({id(y, z), id(y + 1, z + 1), id(y, z + 1)});
+    }
+  const RepairResult result = repaired(mesh);
+  EXPECT_EQ(result.facts.surface.components, 2u);
+  EXPECT_EQ(result.facts.surface.rims, 2u) << "no hole in the floor";
+  for (const TriangleId t : changeOf(result, RepairKind::kNonManifoldEdge)->triangles)
+    EXPECT_GE(t, 128u) << "the floor keeps all of its triangles";
+  const double wall = 7 * 8;
+  EXPECT_LT(result.facts.removedArea, 0.06 * wall);
+}
+
+// Two passes over one place with a shift that makes them cross in every triangle or two.
+TEST(Repair, RemovesAnOverlapAsOnePatch) {
+  std::mt19937 random(7);
+  TriangleMesh one = shapes::heightField(30, random, 0, 0.3), other = shapes::heightField(30, random, 0, 0.3);
+  for (Vec3& p : other.positions) p += Vec3(0.6, 0.013, 0);
+  for (Vec3& p : one.positions) p.x() *= 1.1;
+  const TriangleMesh mesh = shapes::together(one, other);
+  const RepairResult result = repaired(mesh);
+  EXPECT_GT(countOf(result, RepairKind::kOverlapping), 500u);
+  EXPECT_EQ(result.facts.surface.components, 2u) << "no crumbs";
+  EXPECT_EQ(result.facts.surface.rims, 2u) << "no holes";
+  for (const TriangleId t : changeOf(result, RepairKind::kOverlapping)->triangles)
+    EXPECT_GE(t, one.triangles.size()) << "the smaller part gives way";
 }
 
 TEST(Repair, OpensAsLittleAsAThornNeeds) {
@@ -280,9 +334,7 @@ TEST(Repair, EndsWhereEverythingMeetsEverything) {
     for (int k = 0; k < 3; ++k) mesh.positions.emplace_back(u(random), u(random), u(random));
     mesh.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
   }
-  const auto begin = std::chrono::steady_clock::now();
   const RepairResult result = repaired(mesh);
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(200));
   EXPECT_GT(result.mesh.triangles.size(), 10u);
 }
 

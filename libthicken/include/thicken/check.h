@@ -5,18 +5,21 @@
 // Exact: every geometric decision is made with exact predicates on the coordinates as given.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "thicken/error.h"
 #include "thicken/mesh.h"
+#include "thicken/repair.h"
 #include "thicken/result.h"
 #include "thicken/run_context.h"
 
 namespace thicken {
 
 struct CheckResult {
-  SurfaceFacts facts;           ///< as far as they make sense for what was found
-  std::vector<Defect> defects;  ///< all kinds that were found, at most one entry a kind; empty: valid
+  SurfaceFacts facts;                ///< as far as they make sense for what was found
+  std::optional<NearRims> nearRims;  ///< where nearRims() was asked, too
+  std::vector<Defect> defects;       ///< all kinds that were found, at most one entry a kind; empty: valid
   [[nodiscard]] bool valid() const noexcept { return defects.empty(); }
 };
 

@@ -45,7 +45,8 @@ struct Options {
   std::optional<int> smooth;        ///< rounds of shape optimisation (§4.3); 0 to 100
   bool repair = false;              ///< mend a defective input first and report every change (repair.h)
   std::optional<double> weld;       ///< with repair: mm, RepairOptions::weldDistance
-  int threads = 0;                  ///< 0: all that the machine has
+  bool strict = false;  ///< refuse a solid that lost too much or is mostly too thin (docs/repair.md)
+  int threads = 0;      ///< 0: all that the machine has
 };
 
 [[nodiscard]] std::string_view name(Side side) noexcept;

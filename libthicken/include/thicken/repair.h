@@ -5,8 +5,10 @@
 // triangles meet, crowd at an edge or touch in a point only, as few of them as possible are removed.
 //
 // Guarantee: the result is empty of every defect that check() knows. No corner moves but those that
-// are welded to another; every triangle of the result is one of the input (in either sense) or an
-// exact part of one that was divided. A valid surface comes back as it was, bit for bit.
+// are welded to another. Every triangle of the result is one of the input, in either sense and with welded
+// corners, or a part of one. Parts are divided at corners of other rims, or cut off where a sheet ends beside
+// another: the new corners there are rounded. A valid surface comes back as it was, bit for bit, unless
+// rims of it are joined.
 #pragma once
 
 #include <optional>
@@ -30,6 +32,8 @@ enum class RepairKind {
   kOneSided,           ///< triangles removed: a strip across a one-sided part
   kSelfIntersecting,   ///< triangles removed: they meet others
   kNonManifoldVertex,  ///< triangles removed: parts touched in a point only
+  kOverlapping,        ///< triangles removed: a sheet that lay on a larger one and ran through it all over
+  kCrumb,              ///< triangles removed: too small a part that came off
   kFolded,  ///< triangles removed by thicken(): no wall fits below so sharp a fold, so narrow a gap
 };
 
@@ -50,18 +54,37 @@ struct RepairChange {
   std::vector<Vec3> places;  ///< mm, a point in each of the first kMaxPlaces of them
 };
 
+/// What joining rims did (RepairOptions::weldDistance).
+struct SeamFacts {
+  static constexpr std::size_t kMaxPlaces = 1000;
+
+  std::size_t joinedEdges = 0;  ///< rim edges, or parts of divided ones, that two rims share now
+  std::size_t left = 0;  ///< corners within the distance of another rim that could not be joined to it:
+                         ///< triangles would turn over, or the order of the corners is not clear
+  std::vector<Vec3> leftPlaces;  ///< mm, the first kMaxPlaces of them
+};
+
+/// Rims that run beside each other at a distance that is small against their edges.
+struct NearRims {
+  std::size_t corners = 0;  ///< corners that are so near another rim
+  double distance = 0;      ///< mm, the farthest that one of them is from it: to weld over
+};
+
 struct RepairFacts {
   double weldDistance = 0;  ///< mm, the farthest that corners were welded over
-  std::size_t removed = 0;  ///< triangles, or parts of divided ones, that are gone
-  double removedArea = 0;   ///< mm², without that of duplicates, which stay once
+  SeamFacts seams;
+  std::size_t removed = 0;           ///< triangles, or parts of divided ones, that are gone
+  double removedArea = 0;            ///< mm², without that of duplicates, which stay once
+  Vec3 largestPlace = Vec3::Zero();  ///< mm, the middle of the largest triangle that is gone
   std::vector<RepairChange>
       changes;           ///< in the order of RepairKind, one entry a kind; empty: nothing to mend
   SurfaceFacts surface;  ///< what came of it
 };
 
 struct RepairOptions {
-  /// mm, 0 or more: corners of rims that are at most so far apart, and not farther than half the
-  /// shortest edge at either, become one. Unset: a millionth of the bounding box's diagonal.
+  /// mm, 0 or more: rims that are at most so far apart are joined, whatever their corners: corners become
+  /// one, or divide an edge of the other rim. Unset: only corners that are at most a millionth of the
+  /// bounding box's diagonal apart, and not farther than half the shortest edge at either, become one.
   std::optional<double> weldDistance;
 };
 
@@ -71,6 +94,10 @@ struct RepairResult {
       origin;  ///< per triangle of `mesh`: the triangle of the input that it is (a part) of
   RepairFacts facts;
 };
+
+/// Looks for rims within a quarter of the mean rim edge of each other. Corners with equal coordinates have to
+/// be one vertex already. Throws kCancelled. Cost: O(n log n).
+[[nodiscard]] NearRims nearRims(const TriangleMesh& surface, const RunContext& context = {}, int threads = 0);
 
 /// Repairs `surface`, whose corners with equal coordinates have to be one vertex already (weld()).
 /// The surface is not looked into for near corners when it is valid and no distance is given.

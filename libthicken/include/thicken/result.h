@@ -47,6 +47,7 @@ struct AuditFacts {
 
 struct Report {
   SurfaceFacts input;                 ///< as it was given, before any repair
+  NearRims nearRims;                  ///< of the surface that was thickened
   std::optional<RepairFacts> repair;  ///< with Options::repair: what was done to it
   double thickness = 0;               ///< mm
   Side side = Side::kNegative;
@@ -61,18 +62,18 @@ struct Report {
 
   std::size_t triangles = 0, vertices = 0;
   std::size_t originalTriangles = 0, shellTriangles = 0, wallTriangles = 0;
-  std::size_t components = 0;         ///< connected components of the boundary of the solid
-  double volume = 0;                  ///< mm³
-  double area = 0;                    ///< mm²
-  double surfaceDeviation = 0;        ///< always 0: S is kept
-  ErrorFacts shellError;              ///< over the whole shell
-  ErrorFacts shellErrorFullDepth;     ///< where the depth reached is full
+  std::size_t components = 0;             ///< connected components of the boundary of the solid
+  double volume = 0;                      ///< mm³
+  double area = 0;                        ///< mm²
+  double surfaceDeviation = 0;            ///< always 0: S is kept
+  ErrorFacts shellError;                  ///< over the whole shell
+  ErrorFacts shellErrorFullDepth;         ///< where the depth reached is full
   std::optional<double> shellErrorBound;  ///< mm; with Options::tolerance: proved for all of the shell
-  double thinnestWall = 0;            ///< mm, least distance from a shell vertex to S
-  Vec3 thinnestPlace = Vec3::Zero();  ///< mm, where that is
-  double thinShare = 0;               ///< share of the area of S with a depth below 0.9 r
-  std::size_t droppedCopies = 0;      ///< vertices of S without a copy on the shell
-  std::size_t rounds = 0;             ///< rounds of retests that the sweep took
+  double thinnestWall = 0;                ///< mm, least distance from a shell vertex to S
+  Vec3 thinnestPlace = Vec3::Zero();      ///< mm, where that is
+  double thinShare = 0;                   ///< share of the area of S with a depth below 0.9 r
+  std::size_t droppedCopies = 0;          ///< vertices of S without a copy on the shell
+  std::size_t rounds = 0;                 ///< rounds of retests that the sweep took
   AuditFacts audit;
   std::vector<std::string> warnings;  ///< complete sentences
 };

@@ -92,9 +92,10 @@ void describeThicken(CLI::App& app, Arguments& arguments) {
       ->type_name("E");
   app.add_option("--smooth", options.smooth, "Rounds of shape optimisation")->type_name("ROUNDS");
   app.add_flag("--repair", options.repair, "Mend a defective surface first and report every change");
-  app.add_option("--weld", options.weld,
-                 "With --repair: farthest that corners of rims may be apart to be one, mm")
+  app.add_option("--weld", options.weld, "With --repair: join rims that are at most so far apart, mm")
       ->type_name("E");
+  app.add_flag("--strict", options.strict,
+               "With --repair: refuse a solid that lost more than 5 % of the area or is mostly too thin");
   app.add_option("--repaired", arguments.repaired, "With --repair: write the surface that came of it, too")
       ->type_name("FILE");
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "program/run.h"
 
+#include <cmath>
 #include <iostream>
 #include <new>
 #include <string>
@@ -52,13 +53,24 @@ CheckResult checkSurface(const Arguments& arguments, RunContext& context) {
   const ProgressLine line(context, arguments.quiet);
   const TriangleMesh surface = readSurface(arguments, context);
   context.enter(Stage::kChecking, kReadShare, 1);
-  return check(surface, context, arguments.options.threads);
+  CheckResult result = check(surface, context, arguments.options.threads);
+  result.nearRims = nearRims(surface, context, arguments.options.threads);
+  return result;
 }
 
 void printSummary(const Arguments& arguments, const Report& report) {
   std::cout << oneLine(arguments.output.string()) << ": " << report.triangles << " triangles, "
             << report.volume / 1000 << " mL, thinnest wall " << report.thinnestWall << " of "
             << report.thickness << " mm\n";
+}
+
+void printNearRims(const NearRims& near) {
+  if (near.corners == 0) return;
+  // rounded up, so that a weld over what is printed reaches them all
+  const double unit = std::pow(10, std::floor(std::log10(near.distance)) - 2);
+  const double distance = std::ceil(near.distance / unit) * unit;
+  std::cout << near.corners << " corners on rims are up to " << distance
+            << " mm from another rim: --repair --weld " << distance << " would join them\n";
 }
 
 void printSummary(const Arguments& arguments, const SurfaceFacts& facts) {
@@ -116,6 +128,7 @@ void runCheck(const Arguments& arguments, RunContext context) {
     result = checkSurface(arguments, context);
   });
   writeReport(arguments, toJson(result));
+  if (!arguments.quiet && result.nearRims) printNearRims(*result.nearRims);
   if (!result.valid()) {
     const Defect& first = result.defects.front();
     throw Error(first.code, first.sentence, result.defects);

@@ -3,16 +3,16 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "mesh/union_find.h"
+#include "repair/sheets.h"
 
 namespace thicken::repairing {
-namespace {
 
-// The fans at a vertex as groups of its triangles: those that share an edge at it.
-std::vector<std::vector<TriangleId>> fansAt(const Workpiece& piece, const VertexTriangles& around,
-                                            VertexId v) {
+std::vector<std::vector<TriangleId>> fansAt(const Workpiece& piece, const VertexTriangles& around, VertexId v,
+                                            std::span<const std::uint8_t> lost) {
   struct Spoke {
     VertexId end;
     std::uint32_t index;
@@ -21,8 +21,12 @@ std::vector<std::vector<TriangleId>> fansAt(const Workpiece& piece, const Vertex
   std::vector<Spoke> spokes;
   for (const TriangleId t : around.of(v)) {
     if (piece.present[t] == 0) continue;
-    for (const VertexId w : piece.mesh.triangles[t])
-      if (w != v) spokes.push_back({w, static_cast<std::uint32_t>(triangles.size())});
+    const Triangle& c = piece.mesh.triangles[t];
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const VertexId a = c[k], b = c[(k + 1) % 3];
+      if ((a != v && b != v) || (!lost.empty() && lost[3 * t + k] != 0)) continue;
+      spokes.push_back({a == v ? b : a, static_cast<std::uint32_t>(triangles.size())});
+    }
     triangles.push_back(t);
   }
   std::sort(spokes.begin(), spokes.end(), [](const Spoke& a, const Spoke& b) { return a.end < b.end; });
@@ -42,7 +46,36 @@ std::vector<std::vector<TriangleId>> fansAt(const Workpiece& piece, const Vertex
   return fans;
 }
 
-}  // namespace
+void giveUpPinched(const Workpiece& piece, const VertexTriangles& around, std::span<const double> areaAt,
+                   GivenUp& given) {
+  for (VertexId v = 0; v + 1 < around.offset.size(); ++v) {
+    const auto fans = fansAt(piece, around, v, given.edge);
+    if (fans.size() < 2) continue;
+    std::vector<std::pair<double, double>> size(fans.size(), {0, 0});
+    for (std::size_t f = 0; f < fans.size(); ++f)
+      for (const TriangleId t : fans[f]) {
+        size[f].first = std::max(size[f].first, areaAt[t]);
+        size[f].second += piece.area(t);
+      }
+    const auto kept = static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
+    for (std::size_t f = 0; f < fans.size(); ++f)
+      for (const TriangleId t : fans[f]) {
+        const Triangle& c = piece.mesh.triangles[t];
+        if (f != kept) given.corner[3 * t + (std::find(c.begin(), c.end(), v) - c.begin())] = 1;
+      }
+  }
+}
+
+bool cutPinchedVertices(Workpiece& piece) {
+  const std::size_t slots = 3 * piece.mesh.triangles.size();
+  GivenUp given{std::vector<std::uint8_t>(slots, 0), std::vector<std::uint8_t>(slots, 0)};
+  const VertexTriangles around = vertexTriangles(piece.mesh.positions.size(), piece.mesh.triangles);
+  giveUpPinched(piece, around, sheetsOf(piece).areaAt, given);
+  const bool any =
+      std::any_of(given.corner.begin(), given.corner.end(), [](std::uint8_t c) { return c != 0; });
+  if (any) retreat(piece, given, RepairKind::kNonManifoldVertex);
+  return any;
+}
 
 void openPinchedVertices(Workpiece& piece, const VertexTriangles& around) {
   std::vector<VertexId> open(piece.mesh.positions.size());

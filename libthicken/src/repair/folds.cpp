@@ -55,6 +55,7 @@ void removeBeyondFan(Workpiece& piece, const VertexTriangles& around, VertexId v
 RepairResult provedResult(const Workpiece& piece, const RepairFacts& before, const RunContext& context,
                           int threads) {
   RepairResult result = packed(piece, before.weldDistance, Ledger(before));
+  result.facts.seams = before.seams;
   if (result.mesh.triangles.empty())
     throw Error(ErrorCode::kNoSolid, "nothing remains of the surface without its folds; smooth or remesh it");
   return proved(std::move(result), context, threads);

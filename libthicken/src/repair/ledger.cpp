@@ -15,12 +15,24 @@ namespace thicken::repairing {
 
 Ledger::Ledger(const RepairFacts& before) {
   for (const RepairChange& change : before.changes) changes_[change.kind] = change;
+  largestPlace_ = before.largestPlace;
 }
 
 void Ledger::add(RepairKind kind, TriangleId origin, double area, const Vec3& place) {
+  addUncounted(kind, origin, area, place);
+  addCount(kind, 1);
+}
+
+void Ledger::addRemoved(RepairKind kind, TriangleId origin, double area, const Vec3& place) {
+  add(kind, origin, area, place);
+  if (!removes(kind) || kind == RepairKind::kDuplicate || !(area > largest_) || !isFinite(place)) return;
+  largest_ = area;
+  largestPlace_ = place;
+}
+
+void Ledger::addUncounted(RepairKind kind, TriangleId origin, double area, const Vec3& place) {
   RepairChange& change = changes_[kind];
   change.kind = kind;
-  ++change.count;
   if (std::isfinite(area)) change.area += area;
   change.triangles.push_back(origin);
   if (change.places.size() < RepairChange::kMaxPlaces && isFinite(place)) change.places.push_back(place);
@@ -29,6 +41,7 @@ void Ledger::add(RepairKind kind, TriangleId origin, double area, const Vec3& pl
 RepairFacts Ledger::facts(double weldDistance) && {
   RepairFacts facts;
   facts.weldDistance = weldDistance;
+  facts.largestPlace = largestPlace_;
   for (auto& [kind, change] : changes_) {
     auto& ids = change.triangles;
     sortUnique(ids);
@@ -51,7 +64,7 @@ RepairResult packed(const Workpiece& piece, double weldDistance, Ledger ledger) 
                    [&](TriangleId a, TriangleId b) { return piece.origin[a] < piece.origin[b]; });
   for (const TriangleId t : order) {
     if (piece.present[t] == 0) {
-      ledger.add(piece.reason[t], piece.origin[t], piece.area(t), piece.middle(t));
+      ledger.addRemoved(piece.reason[t], piece.origin[t], piece.area(t), piece.middle(t));
       continue;
     }
     rest.triangles.push_back(piece.mesh.triangles[t]);
@@ -66,9 +79,10 @@ RepairResult packed(const Workpiece& piece, double weldDistance, Ledger ledger) 
 
 RepairResult proved(RepairResult result, const RunContext& context, int threads) {
   CheckResult proof = check(result.mesh, context, threads);
-  if (!proof.valid())
-    throw Error(ErrorCode::kInternal, "the repaired surface is not valid: " + proof.defects.front().sentence,
-                std::move(proof.defects));
+  if (!proof.valid()) {
+    const std::string why = "the repaired surface is not valid: " + proof.defects.front().sentence;
+    throw Error(ErrorCode::kInternal, why, std::move(proof.defects));
+  }
   result.facts.surface = proof.facts;
   return result;
 }

@@ -17,13 +17,19 @@ class Ledger {
   explicit Ledger(const RepairFacts& before);
 
   void add(RepairKind kind, TriangleId origin, double area, const Vec3& place);
-  void setCount(RepairKind kind, std::size_t count) { changes_[kind].count = count; }
+  /// As add(), of a triangle that is gone.
+  void addRemoved(RepairKind kind, TriangleId origin, double area, const Vec3& place);
+  /// As add(), for triangles that are counted by something else than their number (addCount()).
+  void addUncounted(RepairKind kind, TriangleId origin, double area, const Vec3& place);
+  void addCount(RepairKind kind, std::size_t count) { changes_[kind].count += count; }
 
   /// Without what came of the surface.
   [[nodiscard]] RepairFacts facts(double weldDistance) &&;
 
  private:
   std::map<RepairKind, RepairChange> changes_;
+  double largest_ = 0;  // mm², of the triangles that are gone
+  Vec3 largestPlace_ = Vec3::Zero();
 };
 
 /// The surface that is left, without what is gone; parts of a divided triangle take its place. What

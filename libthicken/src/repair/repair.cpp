@@ -13,11 +13,14 @@
 #include "repair/bad_triangles.h"
 #include "repair/cover.h"
 #include "repair/crowded_edges.h"
+#include "repair/crumbs.h"
 #include "repair/fans.h"
 #include "repair/ledger.h"
 #include "repair/meetings.h"
 #include "repair/near_corners.h"
+#include "repair/overlaps.h"
 #include "repair/put_back.h"
+#include "repair/seams.h"
 #include "repair/sense.h"
 #include "repair/workpiece.h"
 #include "thicken/check.h"
@@ -46,6 +49,10 @@ std::string_view name(RepairKind kind) noexcept {
       return "self-intersecting";
     case RepairKind::kNonManifoldVertex:
       return "non-manifold-vertex";
+    case RepairKind::kOverlapping:
+      return "overlapping";
+    case RepairKind::kCrumb:
+      return "crumb";
     case RepairKind::kFolded:
       return "folded";
   }
@@ -60,8 +67,16 @@ namespace {
 
 using repairing::Workpiece;
 
-double distanceToWeld(const TriangleMesh& surface, const RepairOptions& options) {
+// How far apart rounding may have taken what was one corner, mm.
+double roundingOf(const TriangleMesh& surface) {
   constexpr double kShareOfDiagonal = 1e-6;
+  Eigen::AlignedBox3d box;
+  for (const Vec3& p : surface.positions)
+    if (isFinite(p)) box.extend(p);
+  return box.isEmpty() ? 0 : kShareOfDiagonal * box.diagonal().norm();
+}
+
+double distanceToWeld(const TriangleMesh& surface, const RepairOptions& options) {
   if (options.weldDistance) {
     if (!(*options.weldDistance >= 0) || !std::isfinite(*options.weldDistance))
       throw Error(
@@ -71,10 +86,7 @@ double distanceToWeld(const TriangleMesh& surface, const RepairOptions& options)
                       *options.weldDistance));
     return *options.weldDistance;
   }
-  Eigen::AlignedBox3d box;
-  for (const Vec3& p : surface.positions)
-    if (isFinite(p)) box.extend(p);
-  return box.isEmpty() ? 0 : kShareOfDiagonal * box.diagonal().norm();
+  return roundingOf(surface);
 }
 
 // Moves corners onto near ones and notes the triangles at them.
@@ -85,13 +97,15 @@ void weldNearCorners(Workpiece& piece, double distance, repairing::Ledger& ledge
     Triangle& c = piece.mesh.triangles[t];
     const Triangle before = c;
     for (VertexId& v : c) v = near.onto[v];
-    if (c != before) ledger.add(RepairKind::kWelded, t, piece.area(t), piece.middle(t));
+    if (c != before) ledger.addUncounted(RepairKind::kWelded, t, piece.area(t), piece.middle(t));
   }
-  ledger.setCount(RepairKind::kWelded, near.moved);
+  ledger.addCount(RepairKind::kWelded, near.moved);
 }
 
 // Removes as little as it takes that no two triangles meet, and no vertex joins several fans.
-void separate(Workpiece& piece, const repairing::KnownMeetings& known) {
+// Triangles that were there when `mayReturn` was taken may come back.
+void separate(Workpiece& piece, const repairing::KnownMeetings& known,
+              std::span<const std::uint8_t> mayReturn) {
   const std::size_t count = piece.mesh.triangles.size();
   const repairing::MeetingGraph graph(count, known.pairs);
   // By area, but a triangle is a loss of its own, too: many slivers are not better than one triangle.
@@ -105,12 +119,23 @@ void separate(Workpiece& piece, const repairing::KnownMeetings& known) {
   openPinchedVertices(piece, around);
   std::vector<std::uint8_t> candidate(count, 0);
   for (TriangleId t = 0; t < count; ++t) {
-    const RepairKind why = piece.reason[t];
-    candidate[t] = piece.present[t] == 0 && known.goneForGood[t] == 0 &&
-                   (why == RepairKind::kNonManifoldEdge || why == RepairKind::kOneSided ||
-                    why == RepairKind::kSelfIntersecting || why == RepairKind::kNonManifoldVertex);
+    candidate[t] = piece.present[t] == 0 && mayReturn[t] != 0 && known.goneForGood[t] == 0;
   }
   putBack(piece, around, graph, candidate);
+}
+
+// Parts that come off beside an overlap and are smaller than this many mean triangles are dropped.
+constexpr double kCrumbTriangles = 8;
+
+double meanArea(const Workpiece& piece) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (TriangleId t = 0; t < piece.present.size(); ++t)
+    if (piece.present[t] != 0) {
+      sum += piece.area(t);
+      ++count;
+    }
+  return count > 0 ? sum / static_cast<double>(count) : 0;
 }
 
 RepairResult unchanged(const TriangleMesh& surface, const SurfaceFacts& facts) {
@@ -131,6 +156,12 @@ RepairResult unchanged(const TriangleMesh& surface, const SurfaceFacts& facts) {
 
 }  // namespace
 
+NearRims nearRims(const TriangleMesh& surface, const RunContext& context, int threads) {
+  Workpiece piece(surface);
+  dropBadTriangles(piece, context, threads);
+  return repairing::nearRims(piece);
+}
+
 RepairResult repair(const TriangleMesh& surface, const RepairOptions& options, RunContext context,
                     int threads) {
   const double distance = distanceToWeld(surface, options);
@@ -139,15 +170,27 @@ RepairResult repair(const TriangleMesh& surface, const RepairOptions& options, R
 
   repairing::Ledger ledger;
   Workpiece piece(surface);
-  weldNearCorners(piece, distance, ledger);
+  weldNearCorners(piece, std::min(distance, roundingOf(surface)), ledger);
   dropBadTriangles(piece, context, threads);
-  const repairing::KnownMeetings known = findMeetings(piece, context, threads);
-  thinCrowdedEdges(piece);
+  SeamFacts seams;
+  if (options.weldDistance) seams = repairing::joinSeams(piece, distance, ledger);
+  repairing::KnownMeetings known = findMeetings(piece, context, threads);
+  const std::vector<std::uint32_t> before = repairing::partsOfPiece(piece);
+  const double fin = meanArea(piece);
+  const bool overlapping = removeOverlaps(piece, known.pairs, threads);
+  if (overlapping | endSheetsAtEdges(piece) | cutPinchedVertices(piece)) {
+    dropCrumbs(piece, before, fin);
+    known = findMeetings(piece, context, threads);
+  }
+  const std::vector<std::uint8_t> mayReturn = piece.present;
   makeSenseConsistent(piece);
   context.throwIfCancelled();
-  separate(piece, known);
+  separate(piece, known, mayReturn);
+  // Elsewhere what comes off may be somebody's button: it stays.
+  if (overlapping) dropCrumbs(piece, before, kCrumbTriangles * fin);
   RepairResult result = packed(piece, distance, std::move(ledger));
   if (result.mesh.triangles.empty()) refuseAll(given);
+  result.facts.seams = std::move(seams);
   return repairing::proved(std::move(result), context, threads);
 }
 

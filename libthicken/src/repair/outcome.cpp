@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "repair/outcome.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace thicken::repairing {
+namespace {
+
+constexpr double kMostLost = 0.05;  // share of the area
+constexpr double kMostThin = 0.05;
+constexpr double kThin = 0.5;  // of the thickness
+
+// Share of the area of S below which the solid is thinner than half of what was asked. A triangle is as deep
+// as the mean of its corners.
+double thinShare(const Solid& solid) {
+  double thin = 0, all = 0;
+  const auto& p = solid.mesh.positions;
+  for (TriangleId t = 0; t < solid.mesh.triangles.size(); ++t) {
+    const Triangle& c = solid.mesh.triangles[t];
+    const VertexId last = std::max({c[0], c[1], c[2]});
+    if (solid.region[t] != Region::kOriginal || last >= solid.depth.size()) continue;
+    const double area = (p[c[1]] - p[c[0]]).cross(p[c[2]] - p[c[0]]).norm() / 2;
+    const double depth = (solid.depth[c[0]] + solid.depth[c[1]] + solid.depth[c[2]]) / 3;
+    all += area;
+    if (depth < kThin * solid.report.thickness) thin += area;
+  }
+  return all > 0 ? thin / all : 0;
+}
+
+}  // namespace
+
+std::optional<std::string> shortcoming(const Solid& solid) {
+  const Report& report = solid.report;
+  if (!report.repair || report.repair->changes.empty()) return std::nullopt;
+  const double lost = report.input.area > 0 ? report.repair->removedArea / report.input.area : 0;
+  const double thin = thinShare(solid);
+  if (lost <= kMostLost && thin <= kMostThin) return std::nullopt;
+  const auto place = [](const Vec3& p) {
+    return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z());
+  };
+  std::string sentence = "the solid is not the surface that was given: ";
+  if (lost > kMostLost)
+    sentence += fmt::format("the repair removed {:.3g} % of its area, the largest piece at {}", 100 * lost,
+                            place(report.repair->largestPlace));
+  if (thin > kMostThin)
+    sentence += fmt::format("{}{:.3g} % of what is left is thinner than half the thickness, the least at {}",
+                            lost > kMostLost ? ", and " : "", 100 * thin, place(report.thinnestPlace));
+  return sentence;
+}
+
+}  // namespace thicken::repairing

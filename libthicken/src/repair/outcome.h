@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Whether its owner would call a repaired solid repaired.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "thicken/result.h"
+
+namespace thicken::repairing {
+
+/// A sentence that names the worst place where a solid is not what was asked for: the repair removed more
+/// than 5 % of the area, or more than 5 % of the area of S has less than half the thickness below it.
+[[nodiscard]] std::optional<std::string> shortcoming(const Solid& solid);
+
+}  // namespace thicken::repairing
