@@ -43,6 +43,21 @@ TEST(Percent, IsNeverNothingForWhatIsSomething) {
   EXPECT_EQ(percentText(1), "100 %");
 }
 
+TEST(Warnings, GiveNoShareOfNothing) {
+  Report report;
+  report.thickness = 1;
+  report.shellTriangles = 1;
+  report.thinnestWall = 0.5;
+  addWarnings(report);
+  ASSERT_EQ(report.warnings.size(), 1u);
+  EXPECT_FALSE(warnsOf(report, "0 %")) << report.warnings[0];
+  EXPECT_TRUE(warnsOf(report, "below every corner"));
+  report.warnings.clear();
+  report.thinShare = 1e-7;
+  addWarnings(report);
+  EXPECT_TRUE(warnsOf(report, "less than 0.01 % of the surface"));
+}
+
 TEST(Warnings, TellThatAThicknessExceedsThePart) {
   for (const double thickness : {20.0, 70.0, 1e9}) {
     const Report report = thickened(bump(), thickness, Method::kAuto).report;

@@ -72,10 +72,11 @@ struct Report {
   ErrorFacts shellError;           ///< over the whole shell
   ErrorFacts shellErrorFullDepth;  ///< where the depth reached is full
   std::optional<double> shellErrorBound;  ///< mm; with Options::tolerance: proved for all of the shell
-  /// mm, least distance from a shell vertex to S; where no shell is left, the least depth below a corner of S
+  /// mm, least distance from a shell vertex to S; where most of the shell is gone, thinnestThrough counts,
+  /// too
   double thinnestWall = 0;
   Vec3 thinnestPlace = Vec3::Zero();  ///< mm, where that is
-  double thinnestThrough = 0;         ///< mm, least way straight through the part from a triangle's middle
+  double thinnestThrough = 0;         ///< mm, least way straight through the part from S; 0: none found
   Vec3 thinnestThroughPlace = Vec3::Zero();  ///< mm, where that is
   double thinShare = 0;                      ///< share of the area of S with a depth below 0.9 r
   std::size_t droppedCopies = 0;             ///< vertices of S without a copy on the shell

@@ -120,10 +120,34 @@ void measureShell(Solid& solid, const ClosestPointTree& tree, const ShellDistanc
   solid.report.shellErrorFullDepth = summary(std::move(full), threads);
 }
 
+// The shortest way straight through the material, from the middle of a triangle of S (on both sides, where S
+// is inside: of the shell) to one that faces the other way. Near any edge there are short ways across the
+// corner: they count where the edge is sharper than 60 degrees.
+void findThinnestThrough(Solid& solid, const RunContext& context, int threads) {
+  constexpr double kFacing = -0.5;
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  const auto& [positions, triangles] = solid.mesh;
+  const std::vector<Vec3> normal = faceNormals(positions, triangles, threads);
+  const RayTree tree(positions, triangles);
+  const auto middleOf = [&positions = positions](const Triangle& t) {
+    return Vec3((positions[t[0]] + positions[t[1]] + positions[t[2]]) / 3);
+  };
+  const Region outside = solid.report.side == Side::kBoth ? Region::kShell : Region::kOriginal;
+  std::vector<double> through(triangles.size(), kInfinite);
+  parallelFor(through.size(), threads, context, 256, [&, &triangles = triangles](std::size_t t) {
+    if (solid.region[t] != outside) return;
+    const RayTree::Hit hit = tree.first(middleOf(triangles[t]), -normal[t], triangles[t]);
+    if (hit.along < kInfinite && normal[t].dot(normal[hit.triangle]) < kFacing) through[t] = hit.along;
+  });
+  const auto least = std::min_element(through.begin(), through.end());
+  if (least == through.end() || !(*least < kInfinite)) return;
+  solid.report.thinnestThrough = *least;
+  solid.report.thinnestThroughPlace = middleOf(triangles[static_cast<std::size_t>(least - through.begin())]);
+}
+
 // The thinnest wall is the least distance of a shell vertex from S. Where most of the shell is gone, because
-// the solid ends in walls before, the least depth below a vertex of S counts, too.
-void findThinnest(Solid& solid, std::span<const double> distance, const TriangleMesh& surface,
-                  std::span<const double> depth) {
+// the solid ends in walls before, the least way straight through it counts, too.
+void findThinnest(Solid& solid, std::span<const double> distance, double surfaceArea) {
   Report& report = solid.report;
   double shellArea = 0;
   for (std::size_t t = 0; t < solid.region.size(); ++t)
@@ -134,34 +158,10 @@ void findThinnest(Solid& solid, std::span<const double> distance, const Triangle
     report.thinnestWall = *least;
     report.thinnestPlace = solid.mesh.positions[static_cast<std::size_t>(least - distance.begin())];
   }
-  const auto lowest = std::min_element(depth.begin(), depth.end());
-  if (lowest == depth.end() || shellArea > areaOf(surface) / 2) return;
-  if (hasShell && *lowest >= *least) return;
-  report.thinnestWall = *lowest;
-  report.thinnestPlace = surface.positions[static_cast<std::size_t>(lowest - depth.begin())];
-}
-
-// The shortest way straight through the material, from the middle of a triangle to one that faces the other
-// way. Near any edge there are short ways across the corner: they count where the edge is sharper than 60
-// degrees.
-void findThinnestThrough(Solid& solid, const RunContext& context, int threads) {
-  constexpr double kFacing = -0.5;
-  constexpr double kInfinite = std::numeric_limits<double>::infinity();
-  const auto& [positions, triangles] = solid.mesh;
-  const std::vector<Vec3> normal = faceNormals(positions, triangles, threads);
-  const RayTree tree(positions, triangles);
-  const auto middleOf = [&positions = positions](const Triangle& t) {
-    return Vec3((positions[t[0]] + positions[t[1]] + positions[t[2]]) / 3);
-  };
-  std::vector<double> through(triangles.size(), kInfinite);
-  parallelFor(through.size(), threads, context, 256, [&, &triangles = triangles](std::size_t t) {
-    const RayTree::Hit hit = tree.first(middleOf(triangles[t]), -normal[t], triangles[t]);
-    if (hit.along < kInfinite && normal[t].dot(normal[hit.triangle]) < kFacing) through[t] = hit.along;
-  });
-  const auto least = std::min_element(through.begin(), through.end());
-  if (least == through.end() || !(*least < kInfinite)) return;
-  solid.report.thinnestThrough = *least;
-  solid.report.thinnestThroughPlace = middleOf(triangles[static_cast<std::size_t>(least - through.begin())]);
+  if (!(report.thinnestThrough > 0) || shellArea > surfaceArea / 2) return;
+  if (hasShell && report.thinnestThrough >= *least) return;
+  report.thinnestWall = report.thinnestThrough;
+  report.thinnestPlace = report.thinnestThroughPlace;
 }
 
 // How deep the solid is below the vertices of S, but never deeper than the solid is large: a stage may have
@@ -303,8 +303,8 @@ void measure(Solid& solid, const TriangleMesh& surface, const ClosestPointTree& 
   known = shellDistances(solid, tree, std::move(known), context, threads);
   measureShell(solid, tree, known, what, context, threads);
   const std::vector<double> depth = depthsWithin(solid);
-  findThinnest(solid, known.distance, surface, depth);
   findThinnestThrough(solid, context, threads);
+  findThinnest(solid, known.distance, areaOf(surface));
   report.thinShare = thinShare(surface, depth, report.thickness);
   report.surfaceDeviation = surfaceDeviation(solid, surface);
 }

@@ -29,13 +29,14 @@ void addThinPlaces(Report& report) {
   constexpr double kMuch = 1e-3;  // of the area; a smaller share is told only with a thin wall
   const bool thinWall = report.thinnestWall < kThin * report.thickness;
   if (!thinWall && report.thinShare < kMuch) return;
-  report.warnings.push_back(fmt::format(
-      "the solid is thinner than asked in places: {} {:.4g} mm at {}, and {} of the surface has less than "
-      "0.9 "
-      "of the thickness below it",
-      report.shellTriangles > 0 ? "the thinnest wall is"
-                                : "it ends in walls before a shell, and the least depth is",
-      report.thinnestWall, text(report.thinnestPlace), percentText(report.thinShare)));
+  // Depths are known below the corners of the surface; a thin place between them has no share.
+  const std::string share =
+      report.thinShare > 0
+          ? percentText(report.thinShare) + " of the surface has less than 0.9 of the thickness below it"
+          : "below every corner of the surface there is 0.9 of the thickness at least";
+  report.warnings.push_back(
+      fmt::format("the solid is thinner than asked in places: the thinnest wall is {:.4g} mm at {}, and {}",
+                  report.thinnestWall, text(report.thinnestPlace), share));
 }
 
 // Two sides of the surface itself may be nearer to each other than any wall is thick: at a sharp edge.
