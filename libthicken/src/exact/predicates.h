@@ -21,4 +21,8 @@ namespace thicken::exact {
 /// Whether a, b, c lie on one line (the triangle abc has no area).
 [[nodiscard]] bool collinear(const Vec3& a, const Vec3& b, const Vec3& c);
 
+/// (b − a) × (c − a), every component within a few units in the last place of its exact value, however flat
+/// the triangle is.
+[[nodiscard]] Vec3 normal(const Vec3& a, const Vec3& b, const Vec3& c);
+
 }  // namespace thicken::exact
