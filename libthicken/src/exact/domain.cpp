@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "exact/domain.h"
 
-#include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cstdint>
 #include <limits>
@@ -70,14 +70,11 @@ bool inDomain(const Vec3& p) {
 
 // The modes belong to a thread, and threads that OpenMP keeps may be older than a change in this one.
 void requireExactArithmetic(int threads) {
-  int worst = flawOfThisThread();
-#ifdef _OPENMP
-#pragma omp parallel num_threads(threadCount(threads)) reduction(max : worst)
-  worst = std::max<int>(worst, flawOfThisThread());
-#else
-  (void)threads;  // started for each loop, with the modes of this one
-#endif
-  if (worst != kNone) throw Error(ErrorCode::kArithmetic, sentenceOf(static_cast<Flaw>(worst)));
+  std::atomic<int> worst = kNone;
+  onEveryThread(threads, [&worst] {
+    if (const Flaw flaw = flawOfThisThread(); flaw != kNone) worst = flaw;
+  });
+  if (worst != kNone) throw Error(ErrorCode::kArithmetic, sentenceOf(static_cast<Flaw>(worst.load())));
 }
 
 }  // namespace thicken::exact
