@@ -83,7 +83,7 @@ RESULTS = [
     _result("ShellTriangles", "Integer", "output.shell_triangles", "Triangles of the inner shell"),
     _result("WallTriangles", "Integer", "output.wall_triangles", "Triangles of the wall at the rim"),
     _result("DroppedCopies", "Integer", "output.dropped_copies", "Points without a counterpart on the shell"),
-    _result("UsedMethod", "String", "parameters.method", "The method that made the solid", ""),
+    _result("UsedMethod", "String", "output.made_by", "The method that made the solid", ""),
     _result("Warnings", "StringList", "warnings", "What to know about the solid", ()),
 ]  # fmt: skip
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
 // thicken_example INPUT OUTPUT MILLIMETRES: the library in one page. Another thread polls the run.
+#include <thicken/thicken.h>
+
 #include <chrono>
 #include <cstdlib>
 #include <future>
 #include <iostream>
-#include <thicken/thicken.h>
 
 int main(int argc, char** argv) {
   if (argc != 4) {

@@ -47,7 +47,7 @@ def figures(report: dict) -> dict:
         "triangles": report["output"]["triangles"],
         "cells": report["field"]["cells"],
         "nodes": report["field"]["nodes"],
-        "rounds": report["output"]["rounds"],
+        "rounds": report["output"]["sweep_rounds"] + report["output"]["contour_attempts"],
         "cell_mm": report["parameters"]["cell_mm"],
     }
 

@@ -34,6 +34,8 @@ std::string_view name(ErrorCode code) noexcept {
       return "memory-limit";
     case ErrorCode::kNoSolid:
       return "no-solid";
+    case ErrorCode::kArithmetic:
+      return "arithmetic";
     case ErrorCode::kCancelled:
       return "cancelled";
     case ErrorCode::kInternal:
@@ -56,6 +58,7 @@ int exitStatus(ErrorCode code) noexcept {
       return 3;
     case ErrorCode::kMemoryLimit:
     case ErrorCode::kNoSolid:
+    case ErrorCode::kArithmetic:
     case ErrorCode::kInternal:
       return 4;
     case ErrorCode::kCancelled:

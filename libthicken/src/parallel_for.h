@@ -54,6 +54,18 @@ void runBlocks(std::size_t blocks, int count, Block block) {
 
 }  // namespace detail
 
+/// Calls body() once on every thread that a loop of `threads` threads would run on now. Threads that are
+/// started for each loop are like the calling one in everything, and are not started for this.
+template <class Body>
+void onEveryThread(int threads, Body body) {
+#ifdef _OPENMP
+#pragma omp parallel num_threads(threadCount(threads))
+#else
+  (void)threads;
+#endif
+  body();
+}
+
 /// Calls body(i) for i in [0, n), in blocks of `grain`, on `threads` threads. Results must go to
 /// places addressed by i, so that they do not depend on the schedule. The exception of the lowest
 /// failing block is rethrown; a cancelled context ends the loop with kCancelled.

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -75,7 +76,8 @@ void requireRoom(const TriangleMesh& surface, const Options& options) {
             "scale the surface down or remove the vertices that lie far away",
             most, options.thickness));
   constexpr double kLeastSteps = 8;
-  const double step = std::ldexp(most, -23);
+  // Near the origin, too, floats have a least step.
+  const double step = std::max<double>(std::ldexp(most, -23), std::numeric_limits<float>::denorm_min());
   if (options.thickness < kLeastSteps * step)
     throw Error(
         ErrorCode::kNoSolid,

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "thicken/version.h"
@@ -31,7 +32,7 @@ Json surfaceFacts(const SurfaceFacts& facts) {
 Json parameters(const Report& report) {
   Json json{{"thickness_mm", report.thickness},
             {"side", name(report.side)},
-            {"method", name(report.method)},
+            {"method", name(report.asked)},
             {"cell_mm", nullptr},
             {"threads", report.threads}};
   if (report.cell > 0) json["cell_mm"] = report.cell;
@@ -49,10 +50,27 @@ Json stages(const std::vector<std::pair<std::string, double>>& seconds) {
   return json;
 }
 
+// The stages that made the shell: a result has no method "auto".
+std::string_view makerOf(Method method) {
+  switch (method) {
+    case Method::kSweep:
+      return "sweep";
+    case Method::kReconstruct:
+      return "contour";
+    case Method::kAuto:
+      return "sweep-and-contour";
+  }
+  return "sweep-and-contour";
+}
+
 Json outputFacts(const Report& report) {
   return {{"triangles", report.triangles},
           {"vertices", report.vertices},
           {"components", report.components},
+          {"parts", report.parts},
+          {"crumbs", report.crumbs},
+          {"crumb_volume_mm3", report.crumbVolume},
+          {"made_by", makerOf(report.method)},
           {"original_triangles", report.originalTriangles},
           {"shell_triangles", report.shellTriangles},
           {"wall_triangles", report.wallTriangles},
@@ -60,18 +78,18 @@ Json outputFacts(const Report& report) {
           {"volume_ml", report.volume / kCubicMillimetresPerMillilitre},
           {"area_mm2", report.area},
           {"dropped_copies", report.droppedCopies},
-          {"rounds", report.rounds}};
+          {"sweep_rounds", report.rounds},
+          {"contour_attempts", report.attempts}};
 }
 
 Json errorFacts(const ErrorFacts& facts) {
   return {{"mean", facts.mean}, {"p99", facts.p99}, {"max", facts.max}};
 }
 
-Json thinnestWall(const Report& report) {
-  return {
-      {"mm", report.thinnestWall},
-      {"share_of_thickness", report.thickness > 0 ? Json(report.thinnestWall / report.thickness) : Json()},
-      {"place_mm", toPlace(report.thinnestPlace)}};
+Json thinPlace(double mm, const Vec3& place, double thickness) {
+  return {{"mm", mm},
+          {"share_of_thickness", thickness > 0 ? Json(mm / thickness) : Json()},
+          {"place_mm", toPlace(place)}};
 }
 
 Json verdicts(const AuditFacts& audit) {
@@ -157,7 +175,8 @@ std::string toJson(const Report& report) {
   json["shell_error"] = errorFacts(report.shellError);
   json["shell_error_full_depth"] = errorFacts(report.shellErrorFullDepth);
   if (report.shellErrorBound) json["shell_error_bound_mm"] = *report.shellErrorBound;
-  json["thinnest_wall"] = thinnestWall(report);
+  json["thinnest_wall"] = thinPlace(report.thinnestWall, report.thinnestPlace, report.thickness);
+  json["thinnest_through"] = thinPlace(report.thinnestThrough, report.thinnestThroughPlace, report.thickness);
   json["thin_share"] = report.thinShare;
   json["audit"] = verdicts(report.audit);
   json["warnings"] = report.warnings;
@@ -190,6 +209,7 @@ std::string toJson(const CheckResult& result) {
   json["input"] = surfaceFacts(result.facts);
   if (result.nearRims) json["near_rims"] = nearRimFacts(*result.nearRims);
   json["defects"] = defectList(result.defects);
+  json["warnings"] = result.warnings;
   return text(json);
 }
 

@@ -11,6 +11,7 @@
 #include "measure/error_bound.h"
 #include "measure/measure.h"
 #include "measure/stopwatch.h"
+#include "measure/warnings.h"
 #include "mesh/float_lattice.h"
 #include "parallel_for.h"
 #include "plan.h"
@@ -63,6 +64,7 @@ Solid assemble(Made made, Method method, const SurfaceFacts& input, const Option
   report.input = input;
   report.thickness = options.thickness;
   report.side = options.side;
+  report.asked = options.method;
   report.method = method;
   report.threads = threads;
   report.rounds = made.rounds;
@@ -90,30 +92,6 @@ void proveOrThrow(Solid& solid, const TriangleMesh& surface, Side side, const Ru
       bound.most, d.place.x(), d.place.y(), d.place.z(), tolerance);
   const std::string sentence = d.sentence;
   throw Error(ErrorCode::kNoSolid, sentence, {std::move(d)});
-}
-
-void addRepairWarning(Report& report) {
-  if (!report.repair || report.repair->changes.empty()) return;
-  const RepairFacts& facts = *report.repair;
-  std::string changes;
-  for (const RepairChange& change : facts.changes)
-    changes += fmt::format("{}{} {}", changes.empty() ? "" : ", ", change.count, name(change.kind));
-  const double share = report.input.area > 0 ? facts.removedArea / report.input.area : 0;
-  report.warnings.push_back(
-      fmt::format("the surface was repaired ({}): {} triangles with {:.3g} % of its area were removed",
-                  changes, facts.removed, 100 * share));
-}
-
-void addWarnings(Report& report) {
-  addRepairWarning(report);
-  constexpr double kThin = 0.9;
-  if (report.thinnestWall >= kThin * report.thickness) return;
-  const Vec3& p = report.thinnestPlace;
-  report.warnings.push_back(
-      fmt::format("the solid is thinner than asked in places: the thinnest wall is {:.4g} mm at ({:.6g}, "
-                  "{:.6g}, {:.6g}), and "
-                  "{:.3g} % of the surface has less than 0.9 of the thickness below it",
-                  report.thinnestWall, p.x(), p.y(), p.z(), 100 * report.thinShare));
 }
 
 // What is known of the surface once it has been looked at; a failure takes it along.
@@ -159,6 +137,7 @@ Solid reconstructedSolid(Reconstruction made, Method method, const SurfaceFacts&
   const double cell = made.cell, finest = made.finest;
   const std::size_t predicted = made.predicted, cells = made.cells, nodes = made.nodes;
   Solid solid = assemble(std::move(made), method, input, options, threads);
+  std::swap(solid.report.rounds, solid.report.attempts);  // a contour has no rounds
   solid.report.cell = cell;
   solid.report.fieldCells = cells;
   solid.report.fieldNodes = nodes;

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "analytic_surfaces.h"
+#include "exact_oracle.h"
 #include "mesh/topology.h"
 
 namespace thicken {
@@ -193,6 +194,30 @@ TEST(InsideThickened, FollowsDefinition2OnAHemisphere) {
   EXPECT_TRUE(
       insideThickened(s.positions[s.triangles[0][0]], *tree.closest(s.positions[s.triangles[0][0]]), r))
       << "S itself belongs to H";
+}
+
+// A flat obtuse triangle of whatever angle: its normal must not be tilted by the rounding of its edges. The
+// expected distance is that from the plane, in rational numbers.
+TEST(ClosestPoint, IsAsNearToAFlatTriangleAsItsPlaneIs) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  int tried = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Vec3 a = 10 * Vec3(unit(random), unit(random), unit(random));
+    const Vec3 b = 10 * Vec3(unit(random), unit(random), unit(random));
+    const Vec3 up = (b - a).cross(Vec3(unit(random), unit(random), unit(random))).normalized();
+    const double width = std::pow(10, -1 - i % 6);
+    TriangleMesh mesh{{a, b, (a + b) / 2 + width * up}, {{0, 1, 2}}};
+    const Vec3 out = (b - a).cross(up).normalized();
+    const Vec3 p = 0.45 * a + 0.55 * b + 0.3 * width * up + out;  // above the face, away from its corners
+    using namespace oracle;
+    const Point n = cross(point(mesh.positions[1]) - point(a), point(mesh.positions[2]) - point(a));
+    const Rational height = dot(point(p) - point(a), n);
+    const double expected = std::sqrt(static_cast<double>(Rational(height * height / dot(n, n))));
+    ++tried;
+    EXPECT_NEAR(ClosestPointTree(mesh, 1).closest(p)->distance, expected, 1e-11) << "width " << width;
+  }
+  EXPECT_EQ(tried, 300);
 }
 
 }  // namespace

@@ -82,10 +82,20 @@ TEST(ReadObj, RefusesCornersThatAreNoVertices) {
 TEST(ReadObj, RefusesWhatItWouldHaveToGuess) {
   EXPECT_CONTAINS(refusal("v 1 0 zero\n"), "line 1: the z coordinate is \"zero\"");
   EXPECT_CONTAINS(refusal("v 0 0 0\nv 1 0\nv 0 1 0\n"), "line 2: the line ends before the z coordinate");
-  EXPECT_CONTAINS(refusal("solid part\n"), "line 1: \"solid\" is no statement");
+  EXPECT_CONTAINS(refusal("solid part\n"), "line 1 begins with \"solid\"");
   EXPECT_CONTAINS(refusal(std::string(kVertices) + "surf 0 1 0 1 1 2 3 4\n"), "freeform surfaces");
   EXPECT_CONTAINS(refusal("# only a comment\n"), "no vertex");
-  EXPECT_CONTAINS(refusal(std::string("\xFF\xFEv\0 \0", 6)), "line 1: \"\\xFF\\xFEv\\x00\"");
+  EXPECT_CONTAINS(refusal(std::string("\xFF\xFEv\0 \0", 6)), "UTF-16");
+}
+
+TEST(ReadObj, PassesUnknownStatementsAndSaysSo) {
+  const ScratchFolder folder;
+  const std::string text = "newmtl x\nKd 1 1 1\n" + std::string(kVertices) + "my_tag 7\nf 1 2 3\n";
+  const MeshFile file = readMeshFile(folder.put("a.obj", text));
+  EXPECT_EQ(file.mesh.triangles.size(), 1u);
+  ASSERT_EQ(file.warnings.size(), 1u);
+  EXPECT_CONTAINS(file.warnings[0], "line 1: \"newmtl\"");
+  EXPECT_CONTAINS(file.warnings[0], "2 more lines");
 }
 
 }  // namespace

@@ -191,6 +191,25 @@ TEST(ReadPly, RefusesLinesOfMoreOrFewerValuesThanAnnounced) {
   EXPECT_CONTAINS(refusalOf(folder.put("d.ply", std::string(kText) + "3 0 1 3\n")), "more in the file");
 }
 
+TEST(ReadPly, TakesValuesThatHaveNoLinesOfTheirOwnAndSaysSo) {
+  const ScratchFolder folder;
+  const std::string text = kText;
+  const std::size_t data = text.find("end_header\n") + 11;
+  for (const char separator : {' ', '\n'}) {  // all on one line, or each on its own
+    std::string other = text;
+    for (std::size_t i = data; i < other.size(); ++i)
+      if (other[i] == '\n' || other[i] == ' ') other[i] = separator;
+    const MeshFile file = readMeshFile(folder.put("a.ply", other));
+    expectSame(file.mesh, twoTriangles());
+    ASSERT_EQ(file.warnings.size(), 1u);
+    EXPECT_CONTAINS(file.warnings[0], "no lines of their own");
+    // Nor may a value be missing or left over there.
+    EXPECT_CONTAINS(refusalOf(folder.put("b.ply", other + "7 ")), "more in the file");
+    EXPECT_CONTAINS(refusalOf(folder.put("c.ply", other.substr(0, other.size() - 2))), "cut off");
+  }
+  EXPECT_TRUE(readMeshFile(folder.put("d.ply", text)).warnings.empty());
+}
+
 TEST(ReadPly, RefusesHeadersThatSayNoMesh) {
   const ScratchFolder folder;
   const auto refusal = [&folder](const std::string& what, const std::string& by) {

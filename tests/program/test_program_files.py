@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Files that cannot be read or written, and files that must not be lost."""
 
+import json
 import os
 import resource
 import subprocess
@@ -76,6 +77,57 @@ class Unwritable(ProgramCase):
         )  # fmt: skip
         self.assert_fails(run, 6, "unwritable")
         self.assert_leaves({"in.off"})
+
+
+class PassedOver(ProgramCase):
+    """What is passed over in a file is told, on stderr and in the report, whatever comes of the run."""
+
+    OBJ = "v 0 0 0\nv 4 0 0\nv 0 4 0\nwhatever 1 2\nf 1 2 3\n"
+
+    def test_a_warning_comes_with_the_solid_and_with_the_check(self):
+        (self.folder / "in.obj").write_text(self.OBJ)
+        for arguments in (("in.obj", "out.stl", "--thickness", 1), ("check", "in.obj")):
+            with self.subTest(arguments):
+                run = self.run_program(*arguments, "--report", "report.json")
+                self.assert_ok(run)
+                self.assertIn("thicken: warning: \"in.obj\": line 4: \"whatever\"", run.stderr)
+                self.assertIn("whatever", self.report()["warnings"][0])
+                self.assertEqual(self.run_program(*arguments, "--quiet").stderr, "")
+
+    def test_a_warning_comes_with_a_refusal(self):
+        (self.folder / "in.obj").write_text(self.OBJ + "f 1 2 3\n")
+        run = self.run_program("in.obj", "out.stl", "--thickness", 1)
+        self.assert_fails(run, 3, "degenerate")
+        self.assertIn("whatever", run.stderr)
+
+
+class Links(ProgramCase):
+    def setUp(self) -> None:
+        super().setUp()
+        write_off(self.folder / "in.off", SQUARE)
+        (self.folder / "real").mkdir()
+
+    def test_outputs_and_reports_are_written_through_links(self):
+        (self.folder / "real/old.stl").write_bytes(b"old")
+        (self.folder / "real/old.json").write_bytes(b"old")
+        for link, target in (("out.stl", "real/old.stl"), ("report.json", "real/old.json"),
+                             ("new.stl", "real/new.stl")):  # fmt: skip
+            (self.folder / link).symlink_to(target)
+        self.assert_ok(self.run_program("in.off", "out.stl", "--thickness", 1, "--report", "report.json"))
+        self.assert_ok(self.run_program("in.off", "new.stl", "--thickness", 1))
+        for link in ("out.stl", "report.json", "new.stl"):
+            self.assertTrue((self.folder / link).is_symlink(), link)
+        self.assertGreater(len(read_stl(self.folder / "real/old.stl")), 2)
+        self.assertGreater(len(read_stl(self.folder / "real/new.stl")), 2, "there was no such file before")
+        self.assertEqual(json.loads((self.folder / "real/old.json").read_text())["status"], "ok")
+
+    def test_links_that_lead_nowhere_are_found_before_the_work(self):
+        (self.folder / "in.off").write_text("no surface: were it read first, the code would be another one")
+        (self.folder / "a.stl").symlink_to("b.stl")
+        (self.folder / "b.stl").symlink_to("a.stl")
+        (self.folder / "c.stl").symlink_to("missing/c.stl")
+        for name in ("a.stl", "c.stl"):
+            self.assert_fails(self.run_program("in.off", name, "--thickness", 1), 6, "unwritable")
 
 
 class Kept(ProgramCase):

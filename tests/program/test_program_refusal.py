@@ -63,6 +63,19 @@ class Usage(ProgramCase):
         self.assert_leaves({"in.off"})
 
 
+class Numbers(ProgramCase):
+    def test_a_decimal_comma_is_told_as_one(self):
+        write_off(self.folder / "in.off", SQUARE)
+        for option in ("--thickness", "--cell", "--tolerance"):
+            with self.subTest(option):
+                run = self.run_program("in.off", "out.stl", "--thickness", "1", option, "0,25")
+                sentence = self.assert_fails(run, 2, "usage")
+                self.assertIn("with a point: 0.25, not 0,25", sentence)
+        sentence = self.assert_fails(self.run_program("in.off", "out.stl", "--thickness", "2mm"), 2, "usage")
+        self.assertIn("2mm", sentence)
+        self.assertIn("millimetres", sentence)
+
+
 class Refusal(ProgramCase):
     def test_every_kind_of_defect_is_named_and_nothing_written(self):
         for code, surface in DEFECTIVE.items():

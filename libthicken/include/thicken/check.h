@@ -6,6 +6,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "thicken/error.h"
@@ -17,14 +18,15 @@
 namespace thicken {
 
 struct CheckResult {
-  SurfaceFacts facts;                ///< as far as they make sense for what was found
-  std::optional<NearRims> nearRims;  ///< where nearRims() was asked, too
-  std::vector<Defect> defects;       ///< all kinds that were found, at most one entry a kind; empty: valid
+  SurfaceFacts facts;                 ///< as far as they make sense for what was found
+  std::optional<NearRims> nearRims;   ///< where nearRims() was asked, too
+  std::vector<Defect> defects;        ///< all kinds that were found, at most one entry a kind; empty: valid
+  std::vector<std::string> warnings;  ///< left empty by check(): for what reading the file passed over
   [[nodiscard]] bool valid() const noexcept { return defects.empty(); }
 };
 
 /// Finds every kind of defect of `mesh` at once. Corners with equal coordinates have to be one
-/// vertex already (weld()). Throws only kCancelled and kMemoryLimit. Cost: O(n log n).
+/// vertex already (weld()). Throws only kCancelled, kMemoryLimit and kArithmetic. Cost: O(n log n).
 [[nodiscard]] CheckResult check(const TriangleMesh& mesh, RunContext context = {}, int threads = 0);
 
 /// Makes corners with equal coordinates one vertex (−0 equals 0) and drops unused positions; the

@@ -21,7 +21,7 @@ enum class ErrorCode {
   kUnreadable,        ///< a file that cannot be read, or that is not what its name says
   kUnwritable,        ///< a file that cannot be written
   kEmpty,             ///< no triangles
-  kNotFinite,         ///< NaN, infinite, or too large for the stored precision
+  kNotFinite,         ///< NaN, infinite, too large for the stored precision, or too small but not 0
   kNotManifold,       ///< an edge of three or more triangles, a vertex of two or more fans
   kNotOriented,       ///< neighbouring triangles of opposite sense, or a one-sided surface
   kDegenerate,        ///< a triangle without area, or the same triangle twice
@@ -29,6 +29,7 @@ enum class ErrorCode {
   kTooLarge,          ///< more elements than 32-bit indices can name
   kMemoryLimit,       ///< not even the least that the run needs fits the limit
   kNoSolid,           ///< no valid solid within the limits
+  kArithmetic,        ///< the process does not compute as exact decisions need it
   kCancelled,         ///< RunContext::cancel() was called
   kInternal,          ///< a broken invariant of the library itself
 };

@@ -6,6 +6,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "thicken/mesh.h"
 #include "thicken/options.h"
@@ -16,6 +18,16 @@ namespace thicken {
 /// the file's precision. Throws Error(kUnreadable) with a sentence that names the file, the place
 /// in it and the reason.
 [[nodiscard]] TriangleMesh readMesh(const std::filesystem::path& path);
+
+/// A mesh with what was passed over when it was read, in sentences: bytes after the last triangle, statements
+/// that are not known, an end that is missing.
+struct MeshFile {
+  TriangleMesh mesh;
+  std::vector<std::string> warnings;
+};
+
+/// As readMesh(), which keeps the warnings to itself.
+[[nodiscard]] MeshFile readMeshFile(const std::filesystem::path& path);
 
 /// Writes a mesh whole or not at all: into a temporary file beside `path`, which is renamed when
 /// it is complete. Throws Error(kUnwritable).

@@ -51,7 +51,8 @@ struct Report {
   std::optional<RepairFacts> repair;  ///< with Options::repair: what was done to it
   double thickness = 0;               ///< mm
   Side side = Side::kNegative;
-  Method method = Method::kAuto;               ///< the one that was used
+  Method asked = Method::kAuto;                ///< as it was asked for
+  Method method = Method::kAuto;               ///< what made it; kAuto: the sweep and the contour together
   double cell = 0;                             ///< mm; 0 where no field was computed
   double finestCell = 0;                       ///< mm; less than that where places took finer cells
   std::size_t fieldCells = 0, fieldNodes = 0;  ///< of the grid, that the field was needed at
@@ -62,18 +63,26 @@ struct Report {
 
   std::size_t triangles = 0, vertices = 0;
   std::size_t originalTriangles = 0, shellTriangles = 0, wallTriangles = 0;
-  std::size_t components = 0;             ///< connected components of the boundary of the solid
-  double volume = 0;                      ///< mm³
-  double area = 0;                        ///< mm²
-  double surfaceDeviation = 0;            ///< always 0: S is kept
-  ErrorFacts shellError;                  ///< over the whole shell
-  ErrorFacts shellErrorFullDepth;         ///< where the depth reached is full
+  std::size_t components = 0;      ///< connected components of the boundary of the solid
+  std::size_t parts = 0;           ///< of them, those that enclose material: separate bodies
+  std::size_t crumbs = 0;          ///< of these, those of less than crumbVolume
+  double crumbVolume = 0;          ///< mm³: r³, or a thousandth of the largest part if that is less
+  double volume = 0;               ///< mm³
+  double area = 0;                 ///< mm²
+  double surfaceDeviation = 0;     ///< mm, measured: farthest from a corner of S to a corner of the solid
+  ErrorFacts shellError;           ///< over the whole shell
+  ErrorFacts shellErrorFullDepth;  ///< where the depth reached is full
   std::optional<double> shellErrorBound;  ///< mm; with Options::tolerance: proved for all of the shell
-  double thinnestWall = 0;                ///< mm, least distance from a shell vertex to S
-  Vec3 thinnestPlace = Vec3::Zero();      ///< mm, where that is
-  double thinShare = 0;                   ///< share of the area of S with a depth below 0.9 r
-  std::size_t droppedCopies = 0;          ///< vertices of S without a copy on the shell
-  std::size_t rounds = 0;                 ///< rounds of retests that the sweep took
+  /// mm, least distance from a shell vertex to S; where most of the shell is gone, thinnestThrough counts,
+  /// too
+  double thinnestWall = 0;
+  Vec3 thinnestPlace = Vec3::Zero();  ///< mm, where that is
+  double thinnestThrough = 0;         ///< mm, least way straight through the part from S; 0: none found
+  Vec3 thinnestThroughPlace = Vec3::Zero();  ///< mm, where that is
+  double thinShare = 0;                      ///< share of the area of S with a depth below 0.9 r
+  std::size_t droppedCopies = 0;             ///< vertices of S without a copy on the shell
+  std::size_t rounds = 0;    ///< rounds of retests that the sweep took; 0 where there was none
+  std::size_t attempts = 0;  ///< attempts after the first that the contour took; 0 where there was none
   AuditFacts audit;
   std::vector<std::string> warnings;  ///< complete sentences
 };

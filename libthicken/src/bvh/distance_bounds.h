@@ -13,9 +13,14 @@
 
 namespace thicken {
 
-// What is farther than this by its lower bound, squared, is farther than `squaredDistance`. Lower bounds
-// carry the rounding of float products and sums, and axes that are orthonormal in floats only; 2e-5 covers it
-// many times over.
+// What is farther than this by its lower bound, squared, is farther than `squaredDistance`.
+//
+// With f = 2^-24, the rounding of a float, a query at distance d from the box of all triangles and E, the
+// extent of that box: the query and its differences are off by less than 2 f (d + E); the products along an
+// axis and their sum by 4 √3 f (d + E); the axes are unit and orthogonal to 2 f, which is as much of the sum
+// of squares again. Together less than 12 f (d + E) = 7.2e-7 (d + E). Boxes are enlarged by the slack, 2.5e-6
+// E, which has the second part and the same for the stored corners; of the first part 2e-5 of the square has
+// 1e-5 d.
 inline float reachOf(double squaredDistance) {
   return static_cast<float>(squaredDistance * (1 + 2e-5));
 }

@@ -12,6 +12,7 @@
 #include "check/meetings.h"
 #include "check/nesting.h"
 #include "check/surface_facts.h"
+#include "exact/domain.h"
 #include "mesh/half_edges.h"
 #include "mesh/topology.h"
 #include "parallel_for.h"
@@ -66,11 +67,12 @@ class Auditor {
         most_(most) {}
 
   AuditResult run() {
+    exact::requireExactArithmetic(threads_);
     if (mesh_.triangles.empty()) {
       report(ErrorCode::kEmpty, 1, Vec3::Zero(), "the solid has no triangles");
       return result_;
     }
-    if (!coordinatesFinite()) return result_;
+    if (!coordinatesInDomain()) return result_;
     const BadTriangles bad = badTriangles(mesh_, true, context_, threads_);
     judgeTriangles(bad);
     const HalfEdges edges(mesh_.positions.size(), mesh_.triangles, bad.joined, threads_);
@@ -106,13 +108,19 @@ class Auditor {
     return 0.5 * (mesh_.positions[e[0]] + mesh_.positions[e[1]]);
   }
 
-  bool coordinatesFinite() {
-    if (std::ranges::all_of(mesh_.positions, isFinite)) return true;
+  bool coordinatesInDomain() {
+    if (std::ranges::all_of(mesh_.positions, exact::inDomain)) return true;
     for (const Triangle& t : mesh_.triangles) {
       for (const VertexId v : t) {
-        if (isFinite(mesh_.positions[v])) continue;
-        report(ErrorCode::kNotFinite, 1, Vec3::Zero(),
-               "the solid has a coordinate that no single-precision number can hold");
+        const Vec3& p = mesh_.positions[v];
+        if (exact::inDomain(p)) continue;
+        const bool tiny = isFinite(p);
+        Defect& d = report(ErrorCode::kNotFinite, 1, tiny ? p : Vec3(Vec3::Zero()),
+                           fmt::format("the solid has a coordinate {}, at {}",
+                                       tiny ? "that is not 0 but too small to be computed with exactly"
+                                            : "that no single-precision number can hold",
+                                       text(p)));
+        fillVertices(d, {v});
         return false;
       }
     }

@@ -10,6 +10,7 @@
 #include "check/meetings.h"
 #include "check/orientability.h"
 #include "check/surface_facts.h"
+#include "exact/domain.h"
 
 namespace thicken {
 namespace {
@@ -49,15 +50,29 @@ Defect emptyDefect() {
   return d;
 }
 
+// What the arithmetic of exact decisions cannot take: no numbers, too large ones, and too small ones.
 Defect notFinite(const TriangleMesh& mesh, const std::vector<VertexId>& vertices) {
   Defect d;
   d.code = ErrorCode::kNotFinite;
   d.count = vertices.size();
-  for (const VertexId v : vertices) append(d.vertices, v);
-  d.sentence = fmt::format(
-      "vertex {} has a coordinate that is not a number or too large for single precision: {}{}; "
-      "export the mesh again or delete what uses it",
-      vertices[0], text(mesh.positions[vertices[0]]), andMore(d.count, "such vertex", "such vertices"));
+  std::vector<VertexId> unfit, tiny;
+  for (const VertexId v : vertices) {
+    append(d.vertices, v);
+    (isFinite(mesh.positions[v]) ? tiny : unfit).push_back(v);
+  }
+  if (!unfit.empty())
+    d.sentence = fmt::format(
+        "vertex {} has a coordinate that is not a number or too large for single precision: {}{}; "
+        "export the mesh again or delete what uses it",
+        unfit[0], text(mesh.positions[unfit[0]]), andMore(unfit.size(), "such vertex", "such vertices"));
+  if (!tiny.empty()) {
+    if (unfit.empty()) d.place = mesh.positions[tiny[0]];
+    d.sentence += fmt::format(
+        "{}vertex {} at {} has a coordinate that is not 0 but below {:.2g}, too small to be computed with "
+        "exactly{}; make it 0, as storing it in an .stl does",
+        d.sentence.empty() ? "" : "; also, ", tiny[0], text(mesh.positions[tiny[0]]), exact::kLeastCoordinate,
+        andMore(tiny.size(), "such vertex", "such vertices"));
+  }
   return d;
 }
 
@@ -168,12 +183,12 @@ Defect selfIntersecting(const TriangleMesh& mesh, const Meetings& meetings) {
   return d;
 }
 
-std::vector<VertexId> verticesNotFinite(const TriangleMesh& mesh) {
-  if (std::ranges::all_of(mesh.positions, isFinite)) return {};
+std::vector<VertexId> verticesOutOfDomain(const TriangleMesh& mesh) {
+  if (std::ranges::all_of(mesh.positions, exact::inDomain)) return {};
   std::vector<std::uint8_t> bad(mesh.positions.size(), 0);
   for (const Triangle& t : mesh.triangles)
     for (const VertexId v : t)
-      if (!isFinite(mesh.positions[v])) bad[v] = 1;
+      if (!exact::inDomain(mesh.positions[v])) bad[v] = 1;
   std::vector<VertexId> result;
   for (VertexId v = 0; v < bad.size(); ++v)
     if (bad[v] != 0) result.push_back(v);
@@ -185,8 +200,9 @@ std::vector<VertexId> verticesNotFinite(const TriangleMesh& mesh) {
 CheckResult check(const TriangleMesh& mesh, RunContext context, int threads) {
   context.reserve(kBytesPerTriangle * mesh.triangles.size(),
                   "simplify the mesh or check a part of it at a time");
+  exact::requireExactArithmetic(threads);
   CheckResult result;
-  const std::vector<VertexId> unfit = verticesNotFinite(mesh);
+  const std::vector<VertexId> unfit = verticesOutOfDomain(mesh);
   const bool finite = unfit.empty();
   const BadTriangles bad = badTriangles(mesh, finite, context, threads);
   context.advance(0.2);

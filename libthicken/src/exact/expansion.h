@@ -6,6 +6,8 @@
 // compiler must not contract a * b + c (-ffp-contract=off).
 #pragma once
 
+#include "exact/domain.h"
+
 namespace thicken::exact {
 
 /// At most `Capacity` terms; no terms mean 0.

@@ -105,4 +105,15 @@ bool collinear(const Vec3& a, const Vec3& b, const Vec3& c) {
   return orientation2(a, b, c, 2) == 0 && orientation2(a, b, c, 0) == 0 && orientation2(a, b, c, 1) == 0;
 }
 
+Vec3 normal(const Vec3& a, const Vec3& b, const Vec3& c) {
+  Vec3 n;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+    n[axis] = determinant(difference(b[i], a[i]), difference(b[j], a[j]), difference(c[i], a[i]),
+                          difference(c[j], a[j]))
+                  .estimate();
+  }
+  return n;
+}
+
 }  // namespace thicken::exact

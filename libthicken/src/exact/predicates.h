@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
 // Exact predicates: the sign of a determinant of double coordinates, decided by a floating-point
-// filter first and by expansion arithmetic (Shewchuk 1997) where the filter cannot. Valid while no
-// product of three coordinates over- or underflows.
+// filter first and by expansion arithmetic (Shewchuk 1997) where the filter cannot. Valid for
+// coordinates and arithmetic as domain.h asks for them, which check() and audit() see to.
 #pragma once
 
 #include "thicken/mesh.h"
@@ -20,5 +20,9 @@ namespace thicken::exact {
 
 /// Whether a, b, c lie on one line (the triangle abc has no area).
 [[nodiscard]] bool collinear(const Vec3& a, const Vec3& b, const Vec3& c);
+
+/// (b − a) × (c − a), every component within a few units in the last place of its exact value, however flat
+/// the triangle is.
+[[nodiscard]] Vec3 normal(const Vec3& a, const Vec3& b, const Vec3& c);
 
 }  // namespace thicken::exact

@@ -77,10 +77,20 @@ Precision storedPrecision(const std::filesystem::path& path) {
 }
 
 TriangleMesh readMesh(const std::filesystem::path& path) {
+  return readMeshFile(path).mesh;
+}
+
+MeshFile readMeshFile(const std::filesystem::path& path) {
   const io::Format& format = readable(path);
+  MeshFile result;
   try {
-    const TriangleMesh mesh = format.read(io::SourceFile(path));  // the bytes go before the welding
-    return weld(mesh);
+    {
+      const io::SourceFile file(path);  // the bytes go before the welding
+      result.mesh = format.read(file);
+      result.warnings = file.passedOver();
+    }
+    result.mesh = weld(result.mesh);
+    return result;
   } catch (const std::bad_alloc&) {
     throw Error(ErrorCode::kMemoryLimit,
                 io::quoted(path) + ": the memory of this machine does not suffice to read the file.");

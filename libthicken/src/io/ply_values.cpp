@@ -20,7 +20,7 @@ std::optional<std::int64_t> wholeOf(double value) {
 }  // namespace
 
 std::string_view PlyText::next() {
-  const std::string_view word = firstInElement_ ? text_.word() : text_.wordInLine();
+  const std::string_view word = firstInElement_ || !byLines_ ? text_.word() : text_.wordInLine();
   if (word.empty()) {
     text_.fail(text_.bytesLeft() == 0
                    ? "the file ends before all that its header announces; it seems to be cut off"
@@ -30,7 +30,18 @@ std::string_view PlyText::next() {
   return word;
 }
 
+bool PlyText::hasALineForEach(const SourceFile& file, const PlyHeader& header) {
+  std::size_t elements = 0;
+  for (const PlyElement& element : header.elements)
+    if (!element.properties.empty()) elements += element.count;
+  TextScanner lines(file, {}, header.dataOffset, header.dataLine);
+  std::size_t count = 0;
+  for (; !lines.atEnd(); lines.skipLine()) ++count;
+  return count == elements;
+}
+
 void PlyText::endElement() {
+  if (!byLines_) return;
   const std::string_view word = text_.wordInLine();
   if (!word.empty()) {
     text_.fail("the line has more values than the header announces, " + quotedWord(word) +

@@ -14,11 +14,15 @@
 
 namespace thicken::io {
 
-/// Values as words, every element on a line of its own.
+/// Values as words. Every element has a line of its own, and a line with too many or too few values is an
+/// error; but where there are not as many lines as elements, lines mean nothing and are passed over.
 class PlyText {
  public:
   PlyText(const SourceFile& file, const PlyHeader& header)
-      : text_(file, {}, header.dataOffset, header.dataLine) {}
+      : text_(file, {}, header.dataOffset, header.dataLine), byLines_(hasALineForEach(file, header)) {
+    if (!byLines_)
+      file.passOver("the elements have no lines of their own; their values were read one by one");
+  }
 
   void beginElement() { firstInElement_ = true; }
   void endElement();
@@ -38,9 +42,11 @@ class PlyText {
   [[noreturn]] void fail(const std::string& reason) const { text_.fail(reason); }
 
  private:
+  [[nodiscard]] static bool hasALineForEach(const SourceFile& file, const PlyHeader& header);
   std::string_view next();
 
   TextScanner text_;
+  bool byLines_;
   bool firstInElement_ = true;
 };
 

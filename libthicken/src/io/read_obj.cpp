@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "io/foreign_file.h"
 #include "io/formats.h"
 #include "io/number_text.h"
 #include "io/polygon_soup.h"
@@ -32,7 +33,15 @@ class ObjReader {
       readStatement(text_.word());
       text_.skipLine();
     }
-    if (!vertexSeen_) file_.fail("holds no vertex (\"v\"); this is no OBJ file of a mesh");
+    if (!vertexSeen_)
+      file_.fail(
+          "holds no vertex (\"v\"); this is no OBJ file of a mesh" +
+          (unknown_ > 0 ? ": line " + std::to_string(unknownLine_) + " begins with " + firstUnknown_ : ""));
+    if (unknown_ > 0)
+      file_.passOver("line " + std::to_string(unknownLine_) + ": " + firstUnknown_ +
+                     " is no statement of an OBJ file" +
+                     (unknown_ > 1 ? ", nor are " + std::to_string(unknown_ - 1) + " more lines" : "") +
+                     "; passed over");
     // Faces may name vertices that come later, so this is known only now.
     if (largestIndex_ > static_cast<std::int64_t>(soup_.positions.size())) {
       file_.failAtLine(largestIndexLine_, "there is no vertex " + std::to_string(largestIndex_) +
@@ -51,8 +60,14 @@ class ObjReader {
       text_.fail("holds freeform surfaces (" + quotedWord(keyword) +
                  "), which cannot be read; export it as polygons");
     } else if (std::ranges::find(kPassed, keyword) == kPassed.end()) {
-      text_.fail(quotedWord(keyword) + " is no statement of an OBJ file");
+      passOver(keyword);
     }
+  }
+
+  void passOver(std::string_view keyword) {
+    if (++unknown_ > 1) return;
+    firstUnknown_ = quotedWord(keyword);
+    unknownLine_ = text_.line();
   }
 
   // What follows the coordinates, a weight or a colour, is passed.
@@ -99,6 +114,8 @@ class ObjReader {
   TextScanner text_;
   PolygonSoup soup_;
   bool vertexSeen_ = false;
+  std::size_t unknown_ = 0, unknownLine_ = 0;  // statements, and the line of the first
+  std::string firstUnknown_;
   std::int64_t largestIndex_ = 0;  // counted from 1
   std::size_t largestIndexLine_ = 0;
 };
@@ -106,6 +123,7 @@ class ObjReader {
 }  // namespace
 
 TriangleMesh readObj(const SourceFile& file) {
+  refuseForeign(file);
   return ObjReader(file).read();
 }
 

@@ -2,6 +2,7 @@
 //
 // OFF with the variants STOFF, COFF, NOFF and their combinations: what follows the coordinates on a
 // vertex's line (normals, colours, texture coordinates) and the indices on a face's line is passed.
+#include "io/foreign_file.h"
 #include "io/formats.h"
 #include "io/number_text.h"
 #include "io/polygon_soup.h"
@@ -48,6 +49,7 @@ void readFace(TextScanner& text, PolygonSoup& soup) {
 }  // namespace
 
 TriangleMesh readOff(const SourceFile& file) {
+  refuseForeign(file);
   TextScanner text(file, {.comment = '#'});
   readKeyword(text);
   const std::size_t vertices = text.count("the number of vertices", file.bytes().size() / kLeastVertexBytes);

@@ -4,6 +4,7 @@
 // lists too, are passed.
 #include <algorithm>
 
+#include "io/foreign_file.h"
 #include "io/formats.h"
 #include "io/ply_values.h"
 #include "io/polygon_soup.h"
@@ -149,6 +150,7 @@ class PlyReader {
 }  // namespace
 
 TriangleMesh readPly(const SourceFile& file) {
+  refuseForeign(file);
   const PlyHeader header = readPlyHeader(file);
   if (header.encoding == PlyEncoding::kAscii) {
     return triangulated(PlyReader(PlyText(file, header), header, file).read(), file);

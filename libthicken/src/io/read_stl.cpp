@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "io/byte_order.h"
+#include "io/foreign_file.h"
 #include "io/formats.h"
 #include "io/polygon_soup.h"
 #include "io/text_scanner.h"
@@ -89,6 +90,11 @@ TriangleMesh readAscii(const SourceFile& file) {
     expect(text, "solid");
     text.skipLine();
     for (std::string_view word = text.word(); !is(word, "endsolid"); word = text.word()) {
+      if (word.empty() && !mesh.triangles.empty()) {
+        file.passOver("the file ends without \"endsolid\", after " + std::to_string(mesh.triangles.size()) +
+                      " triangles; it may be cut off");
+        return mesh;
+      }
       if (word.empty()) text.fail("the file ends before \"endsolid\"; it seems to be cut off");
       if (!is(word, "facet")) text.fail(quotedWord(word) + " stands where \"facet\" or \"endsolid\" is due");
       readFacet(text, mesh);
@@ -112,6 +118,16 @@ bool looksLikeText(std::string_view bytes) {
   });
 }
 
+// Some programs leave notes of their own behind the triangles.
+void passOverRest(const SourceFile& file, std::size_t facets, std::size_t rest) {
+  std::string note = std::to_string(rest) + " bytes after the " + std::to_string(facets) +
+                     " triangles that the file announces were passed over";
+  if (rest % kFacetBytes == 0)
+    note += "; " + std::to_string(rest / kFacetBytes) +
+            " more triangles would take as many: the number that it announces may be wrong";
+  file.passOver(note);
+}
+
 }  // namespace
 
 // The size tells a binary file, whatever its header says: many of them begin with "solid".
@@ -119,6 +135,8 @@ TriangleMesh readStl(const SourceFile& file) {
   const std::string_view bytes = file.bytes();
   const std::size_t facets = announcedFacets(bytes);
   const std::size_t expected = kPreambleBytes + kFacetBytes * facets;
+  if (bytes.size() == expected && facets > 0) return readBinary(file);
+  refuseForeign(file);
   if (bytes.size() == expected) return readBinary(file);
   if (looksLikeText(bytes)) {
     TextScanner text(file, {});
@@ -135,9 +153,11 @@ TriangleMesh readStl(const SourceFile& file) {
                                       std::to_string(expected) + " bytes, but the file has only " +
                                       std::to_string(bytes.size()) + "; it is cut off or no STL file");
   }
-  if (!isPadding(bytes.substr(expected))) {
-    file.failAtByte(expected, "there is more after the " + std::to_string(facets) +
-                                  " triangles that the file announces; it is damaged or no STL file");
+  const std::string_view rest = bytes.substr(expected);
+  if (!isPadding(rest)) {
+    if (facets == 0)
+      file.failAtByte(kHeaderBytes, "announces no triangles, but there is more; it is no STL file");
+    passOverRest(file, facets, rest.size());
   }
   return readBinary(file);
 }

@@ -40,6 +40,10 @@ SourceFile::SourceFile(const std::filesystem::path& path) : path_(path) {
   if (std::ferror(file.get())) fail("cannot be read: " + std::generic_category().message(errno));
 }
 
+void SourceFile::passOver(const std::string& what) const {
+  passedOver_.push_back(quoted(path_) + ": " + what);
+}
+
 void SourceFile::fail(const std::string& reason) const {
   throw Error(ErrorCode::kUnreadable, quoted(path_) + ": " + reason + ".");
 }

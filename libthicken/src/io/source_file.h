@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace thicken::io {
 
@@ -22,6 +23,11 @@ class SourceFile {
 
   [[nodiscard]] std::string_view bytes() const { return {bytes_.get(), size_}; }
 
+  /// Notes something that was passed over, for whoever asked for the file: the file, then `what` (a clause
+  /// without the full stop).
+  void passOver(const std::string& what) const;
+  [[nodiscard]] const std::vector<std::string>& passedOver() const { return passedOver_; }
+
   /// Throw Error(kUnreadable): the file, the place, `reason` (a clause without the full stop).
   [[noreturn]] void fail(const std::string& reason) const;
   [[noreturn]] void failAtLine(std::size_t line, const std::string& reason) const;
@@ -33,6 +39,7 @@ class SourceFile {
   std::filesystem::path path_;
   std::unique_ptr<char[]> bytes_;
   std::size_t size_ = 0;
+  mutable std::vector<std::string> passedOver_;  // notes about the file, which stays as it is
 };
 
 }  // namespace thicken::io

@@ -46,13 +46,21 @@ std::string reasonOf(int error) {
 
 }  // namespace
 
-TargetFile::TargetFile(const fs::path& path) : path_(path), place_(fs::absolute(path)) {
+fs::path linkedPlace(const fs::path& path) {
+  constexpr int kMostLinks = 40;
   std::error_code ignored;
-  // A link stays a link: what it points to is replaced.
-  if (fs::is_symlink(path, ignored)) {
-    place_ = fs::weakly_canonical(path, ignored);
-    if (ignored) fail("cannot be written: " + ignored.message());
+  fs::path place = fs::absolute(path);
+  for (int i = 0; i < kMostLinks; ++i) {
+    if (!fs::is_symlink(place, ignored)) return place;
+    const fs::path target = fs::read_symlink(place, ignored);
+    place = target.is_absolute() ? target : place.parent_path() / target;
   }
+  throw Error(ErrorCode::kUnwritable, quoted(path) + ": is a link that leads back to itself.");
+}
+
+// A link stays a link: what it points to is replaced.
+TargetFile::TargetFile(const fs::path& path) : path_(path), place_(linkedPlace(path)) {
+  std::error_code ignored;
   if (fs::is_directory(place_, ignored)) fail("is a folder; name a file in it");
   if (fs::exists(place_, ignored)) {
     if (!fs::is_regular_file(place_, ignored)) fail("is not a regular file");

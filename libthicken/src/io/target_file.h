@@ -12,6 +12,10 @@
 
 namespace thicken::io {
 
+/// The place that is written to in the end for `path`: what it links to, over any number of links, whether or
+/// not there is such a file yet. Throws Error(kUnwritable) where links go round.
+[[nodiscard]] std::filesystem::path linkedPlace(const std::filesystem::path& path);
+
 class TargetFile {
  public:
   /// Opens a new temporary file in the folder of `path` (of what it links to, when it is a link).

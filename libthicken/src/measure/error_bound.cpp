@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "exact/domain.h"
 #include "parallel_for.h"
 
 namespace thicken {
@@ -247,25 +248,43 @@ class ShellProof {
 
   const ClosestPointTree& tree_;
   double r_, tolerance_;
-  double rounding_;  // mm, more than that of any distance here
+  double rounding_;  // mm: roundingOf()
   bool oneSided_;
   double smallest_;  // edge: what is not proved by then is as far as the tolerance but for a ten-thousandth
   double known_ = 0, goal_ = 0;
 };
 
-// More than the rounding of any distance here, mm. Corners of parts are rounded, and so are distances: by a
-// few units in the last place of what goes in. That of edges which are nearly parallel is off by the root of
-// that, as a share of their length, but across the distance.
-double roundingOf(const TriangleMesh& mesh, std::span<const TriangleId> shell, double r) {
+// More than the rounding of any distance here, mm. With e = 2^-53, coordinates below M and edges below L ≤ 4
+// M:
+//
+// - The corner of a part is the middle of an edge, rounded by e M a coordinate. A part is divided at its
+// longest
+//   edge, from L down to `smallest_` or tolerance / 8: fewer than 128 times, even from 1e9 mm to 1e-9 mm. So
+//   it is off the triangle that it is a part of by less than 128 √3 e M = 2.5e-14 M.
+// - The distance from a point to a triangle is off by less than 16 e M + kMostTilt L = 2.7e-13 M
+//   (bvh/triangle_distance.h).
+// - Edges that are nearly parallel (bvh/triangle_gap.h): the nearest place along them is found with an error
+//   that makes the squared distance too large by less than 16 e L times the distance of the edges' ends,
+//   which is below 3 L where they matter. That divided by twice the distance, which is about r, is 24 e L² /
+//   r = 2.7e-15 L² / r.
+//
+// Both factors are rounded up, to more than three times as much. L is the longest edge of the solid, which
+// has all triangles of S, or else, on both sides, the diagonal of the box around it, which has S inside.
+double roundingOf(const TriangleMesh& solid, Side side, double r) {
   constexpr double kOfCoordinates = 1e-12, kOfParallels = 1e-14;
   double largest = r, longest2 = 0;
-  for (const Vec3& p : mesh.positions) largest = std::max(largest, p.cwiseAbs().maxCoeff());
-  for (const TriangleId t : shell)
-    for (int k = 0; k < 3; ++k)
-      longest2 = std::max(
-          longest2, (mesh.positions[mesh.triangles[t][(k + 1) % 3]] - mesh.positions[mesh.triangles[t][k]])
-                        .squaredNorm());
-  return kOfCoordinates * 2 * largest + kOfParallels * longest2 / r;
+  Eigen::AlignedBox3d box;
+  for (const Vec3& p : solid.positions) {
+    largest = std::max(largest, p.cwiseAbs().maxCoeff());
+    box.extend(p);
+  }
+  if (side == Side::kBoth && !box.isEmpty()) longest2 = box.diagonal().squaredNorm();
+  for (const auto& [a, b, c] : solid.triangles)
+    for (const Vec3& edge :
+         {Vec3(solid.positions[b] - solid.positions[a]), Vec3(solid.positions[c] - solid.positions[b]),
+          Vec3(solid.positions[a] - solid.positions[c])})
+      longest2 = std::max(longest2, edge.squaredNorm());
+  return kOfCoordinates * largest + kOfParallels * longest2 / r;
 }
 
 // The shell's triangles with what S is like from their corners, and the proof for them.
@@ -278,7 +297,7 @@ struct ShellToProve {
                double r, Side side, double tolerance, const RunContext& context, int threads)
       : triangles(shellOf(region)),
         corner(solid.positions.size()),
-        proof(tree, r, side, tolerance, roundingOf(solid, triangles, r)) {
+        proof(tree, r, side, tolerance, roundingOf(solid, side, r)) {
     std::vector<std::uint8_t> onShell(corner.size(), 0);
     for (const TriangleId t : triangles)
       for (const VertexId v : solid.triangles[t]) onShell[v] = 1;
@@ -311,6 +330,7 @@ struct ShellToProve {
 ErrorBound boundShellError(const TriangleMesh& solid, std::span<const Region> region,
                            const ClosestPointTree& tree, double r, Side side, double tolerance,
                            const RunContext& context, int threads) {
+  exact::requireExactArithmetic(threads);
   const ShellToProve shell(solid, region, tree, r, side, tolerance, context, threads);
   const auto worstOf = [&](const auto& boundOf) {
     std::vector<ErrorBound> bounds(shell.triangles.size());

@@ -3,12 +3,16 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
+#include "bvh/ray_tree.h"
 #include "bvh/spatial_order.h"
 #include "measure/shell_samples.h"
+#include "mesh/normals.h"
 #include "mesh/parallel_sort.h"
 #include "mesh/topology.h"
 #include "parallel_for.h"
@@ -116,25 +120,145 @@ void measureShell(Solid& solid, const ClosestPointTree& tree, const ShellDistanc
   solid.report.shellErrorFullDepth = summary(std::move(full), threads);
 }
 
-// The thinnest wall is the least distance of a shell vertex from S.
-void findThinnest(Solid& solid, std::span<const double> distance) {
+// The shortest way straight through the material, from the middle of a triangle of S (on both sides, where S
+// is inside: of the shell) to one that faces the other way. Near any edge there are short ways across the
+// corner: they count where the edge is sharper than 60 degrees.
+void findThinnestThrough(Solid& solid, const RunContext& context, int threads) {
+  constexpr double kFacing = -0.5;
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  const auto& [positions, triangles] = solid.mesh;
+  const std::vector<Vec3> normal = faceNormals(positions, triangles, threads);
+  const RayTree tree(positions, triangles);
+  const auto middleOf = [&positions = positions](const Triangle& t) {
+    return Vec3((positions[t[0]] + positions[t[1]] + positions[t[2]]) / 3);
+  };
+  const Region outside = solid.report.side == Side::kBoth ? Region::kShell : Region::kOriginal;
+  std::vector<double> through(triangles.size(), kInfinite);
+  parallelFor(through.size(), threads, context, 256, [&, &triangles = triangles](std::size_t t) {
+    if (solid.region[t] != outside) return;
+    const RayTree::Hit hit = tree.first(middleOf(triangles[t]), -normal[t], triangles[t]);
+    if (hit.along < kInfinite && normal[t].dot(normal[hit.triangle]) < kFacing) through[t] = hit.along;
+  });
+  const auto least = std::min_element(through.begin(), through.end());
+  if (least == through.end() || !(*least < kInfinite)) return;
+  solid.report.thinnestThrough = *least;
+  solid.report.thinnestThroughPlace = middleOf(triangles[static_cast<std::size_t>(least - through.begin())]);
+}
+
+// The thinnest wall is the least distance of a shell vertex from S. Where most of the shell is gone, because
+// the solid ends in walls before, the least way straight through it counts, too.
+void findThinnest(Solid& solid, std::span<const double> distance, double surfaceArea) {
+  Report& report = solid.report;
+  double shellArea = 0;
+  for (std::size_t t = 0; t < solid.region.size(); ++t)
+    if (solid.region[t] == Region::kShell) shellArea += areaOf(solid.mesh.positions, solid.mesh.triangles[t]);
   const auto least = std::min_element(distance.begin(), distance.end());
-  if (least == distance.end() || !std::isfinite(*least)) return;
-  solid.report.thinnestWall = *least;
-  solid.report.thinnestPlace = solid.mesh.positions[static_cast<std::size_t>(least - distance.begin())];
+  const bool hasShell = least != distance.end() && std::isfinite(*least);
+  if (hasShell) {
+    report.thinnestWall = *least;
+    report.thinnestPlace = solid.mesh.positions[static_cast<std::size_t>(least - distance.begin())];
+  }
+  if (!(report.thinnestThrough > 0) || shellArea > surfaceArea / 2) return;
+  if (hasShell && report.thinnestThrough >= *least) return;
+  report.thinnestWall = report.thinnestThrough;
+  report.thinnestPlace = report.thinnestThroughPlace;
+}
+
+// How deep the solid is below the vertices of S, but never deeper than the solid is large: a stage may have
+// told what it aimed at.
+std::vector<double> depthsWithin(const Solid& solid) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& p : solid.mesh.positions) box.extend(p);
+  const double most = box.isEmpty() ? 0 : box.diagonal().norm();
+  std::vector<double> depth = solid.depth;
+  for (double& d : depth) d = std::min(d, most);
+  return depth;
+}
+
+// The share of a triangle's area where a value that is linear between its corners is below `limit`.
+double shareBelow(std::array<double, 3> value, double limit) {
+  std::sort(value.begin(), value.end());
+  const auto [low, middle, high] = value;
+  if (high < limit) return 1;
+  if (low >= limit) return 0;
+  // The corner that is alone on its side of the limit is cut off, along both edges that end there.
+  if (middle >= limit) return (limit - low) / (middle - low) * ((limit - low) / (high - low));
+  return 1 - (high - limit) / (high - low) * ((high - limit) / (high - middle));
 }
 
 // Share of S's area where the solid is less than 0.9 r deep.
-double thinShare(const Solid& solid, const TriangleMesh& surface) {
+double thinShare(const TriangleMesh& surface, std::span<const double> depth, double r) {
   constexpr double kThin = 0.9;
   double thin = 0, total = 0;
   for (const Triangle& t : surface.triangles) {
     const double area = areaOf(surface.positions, t);
-    const double depth = (solid.depth[t[0]] + solid.depth[t[1]] + solid.depth[t[2]]) / 3;
     total += area;
-    if (depth < kThin * solid.report.thickness) thin += area;
+    thin += area * shareBelow({depth[t[0]], depth[t[1]], depth[t[2]]}, kThin * r);
   }
   return total > 0 ? thin / total : 0;
+}
+
+// Bodies, and those of them that are too small to be meant. A shell around a cavity has a negative volume.
+void countParts(Solid& solid, const Components& shells) {
+  constexpr double kSmall = 1e-3;  // of the largest
+  const TriangleMesh& mesh = solid.mesh;
+  std::vector<double> volume(shells.count, 0);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    const Vec3& origin = mesh.positions[mesh.triangles[0][0]];
+    volume[shells.ofTriangle[t]] +=
+        (mesh.positions[a] - origin).cross(mesh.positions[b] - origin).dot(mesh.positions[c] - origin) / 6;
+  }
+  Report& report = solid.report;
+  report.components = shells.count;
+  if (volume.empty()) return;
+  const double largest = *std::max_element(volume.begin(), volume.end());
+  report.crumbVolume = std::min(std::pow(report.thickness, 3), kSmall * largest);
+  for (const double v : volume) {
+    report.parts += v > 0;
+    report.crumbs += v > 0 && v < report.crumbVolume;
+  }
+}
+
+// The vertices of a solid, to be found by their coordinates.
+class VertexSearch {
+ public:
+  explicit VertexSearch(std::vector<Vec3> positions) : sorted_(std::move(positions)) {
+    std::sort(sorted_.begin(), sorted_.end(), [](const Vec3& a, const Vec3& b) { return a.x() < b.x(); });
+  }
+  // The distance to the nearest one: outwards from where x is the same, until x alone is farther.
+  [[nodiscard]] double distance(const Vec3& p) const {
+    const auto middle = std::lower_bound(sorted_.begin(), sorted_.end(), p.x(),
+                                         [](const Vec3& a, double x) { return a.x() < x; });
+    double least = std::numeric_limits<double>::infinity();
+    for (auto at = middle; at != sorted_.end() && at->x() - p.x() < least; ++at)
+      least = std::min(least, (*at - p).norm());
+    for (auto at = middle; at != sorted_.begin() && p.x() - (at - 1)->x() < least; --at)
+      least = std::min(least, (*(at - 1) - p).norm());
+    return least;
+  }
+
+ private:
+  std::vector<Vec3> sorted_;
+};
+
+// The farthest that a vertex of S, or for Side::kBoth of its rim, is from the nearest vertex of the solid.
+double surfaceDeviation(const Solid& solid, const TriangleMesh& surface) {
+  std::vector<VertexId> moved;  // not found under their own number
+  const auto look = [&](VertexId v) {
+    if (v >= solid.mesh.positions.size() || solid.mesh.positions[v] != surface.positions[v])
+      moved.push_back(v);
+  };
+  if (solid.report.side == Side::kBoth) {
+    for (const RimEdge& e : rimOf(surface.positions.size(), surface.triangles).edges) look(e.from);
+  } else {
+    for (VertexId v = 0; v < surface.positions.size(); ++v) look(v);
+  }
+  if (moved.empty()) return 0;
+  const VertexSearch search(solid.mesh.positions);
+  double most = 0;
+  for (const VertexId v : moved) most = std::max(most, search.distance(surface.positions[v]));
+  return most;
 }
 
 }  // namespace
@@ -168,7 +292,7 @@ void measure(Solid& solid, const TriangleMesh& surface, const ClosestPointTree& 
     ++(region == Region::kOriginal ? report.originalTriangles
        : region == Region::kShell  ? report.shellTriangles
                                    : report.wallTriangles);
-  report.components = componentsOf(solid.mesh.positions.size(), solid.mesh.triangles, threads).count;
+  countParts(solid, componentsOf(solid.mesh.positions.size(), solid.mesh.triangles, threads));
   // Sums in the order of the triangles, so that they do not depend on the threads.
   parallelFor(2, threads, context, 1, [&](std::size_t i) {
     if (i == 0)
@@ -178,8 +302,11 @@ void measure(Solid& solid, const TriangleMesh& surface, const ClosestPointTree& 
   });
   known = shellDistances(solid, tree, std::move(known), context, threads);
   measureShell(solid, tree, known, what, context, threads);
-  findThinnest(solid, known.distance);
-  report.thinShare = thinShare(solid, surface);
+  const std::vector<double> depth = depthsWithin(solid);
+  findThinnestThrough(solid, context, threads);
+  findThinnest(solid, known.distance, areaOf(surface));
+  report.thinShare = thinShare(surface, depth, report.thickness);
+  report.surfaceDeviation = surfaceDeviation(solid, surface);
 }
 
 }  // namespace thicken

@@ -31,6 +31,22 @@ CLI::Validator threadNumber() {
           ""};
 }
 
+// Says what is wrong with a length before CLI11 finds that it cannot convert it.
+CLI::Validator length() {
+  return {[](std::string& text) -> std::string {
+            double value = 0;
+            if (CLI::detail::lexical_cast(text, value)) return {};
+            std::string pointed = text;
+            if (const auto comma = pointed.find(','); comma != std::string::npos) {
+              pointed[comma] = '.';
+              if (CLI::detail::lexical_cast(pointed, value))
+                return "numbers are written with a point: " + pointed + ", not " + text;
+            }
+            return "it must be a number of millimetres without a unit, such as 2.5, not " + text;
+          },
+          ""};
+}
+
 CLI::Validator mebibytes() {
   return {[](std::string& text) -> std::string {
             double value = 0;
@@ -80,19 +96,24 @@ void describeThicken(CLI::App& app, Arguments& arguments) {
       ->required()
       ->type_name("");
   Options& options = arguments.options;
-  app.add_option("--thickness", options.thickness, "Thickness of the solid, mm")->required()->type_name("R");
+  app.add_option("--thickness", options.thickness, "Thickness of the solid, mm")
+      ->required()
+      ->check(length())
+      ->type_name("R");
   addChoice(app, "--side", options.side, {Side::kNegative, Side::kPositive, Side::kBoth},
             "Side of the surface for the material");
   addChoice(app, "--method", options.method, {Method::kAuto, Method::kSweep, Method::kReconstruct},
             "Way to build the solid");
-  app.add_option("--cell", options.cell, "Width of the field's cells, mm")->type_name("W");
+  app.add_option("--cell", options.cell, "Width of the field's cells, mm")->check(length())->type_name("W");
   app.add_option("--resolution", options.resolution, "Or: cells along the longest side")->type_name("N");
   app.add_option("--tolerance", options.tolerance,
                  "Or: farthest that the shell may be from its definition, mm")
+      ->check(length())
       ->type_name("E");
   app.add_option("--smooth", options.smooth, "Rounds of shape optimisation")->type_name("ROUNDS");
   app.add_flag("--repair", options.repair, "Mend a defective surface first and report every change");
   app.add_option("--weld", options.weld, "With --repair: join rims that are at most so far apart, mm")
+      ->check(length())
       ->type_name("E");
   app.add_flag("--strict", options.strict,
                "With --repair: refuse a solid that lost more than 5 % of the area or is mostly too thin");

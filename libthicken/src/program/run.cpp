@@ -5,6 +5,7 @@
 #include <iostream>
 #include <new>
 #include <string>
+#include <vector>
 
 #include "measure/stopwatch.h"
 #include "program/files.h"
@@ -19,17 +20,20 @@ namespace {
 constexpr double kReadShare = 0.02;
 constexpr double kWriteShare = 0.98;
 
-TriangleMesh readSurface(const Arguments& arguments, RunContext& context) {
+// `warnings`: what was passed over in the file is added to them.
+TriangleMesh readSurface(const Arguments& arguments, RunContext& context,
+                         std::vector<std::string>& warnings) {
   context.enter(Stage::kReading, 0, kReadShare);
-  TriangleMesh surface = readMesh(arguments.input);
+  auto [surface, passedOver] = readMeshFile(arguments.input);
+  warnings.insert(warnings.end(), passedOver.begin(), passedOver.end());
   context.throwIfCancelled();
   return surface;
 }
 
-Solid makeSolid(const Arguments& arguments, RunContext& context) {
+Solid makeSolid(const Arguments& arguments, RunContext& context, std::vector<std::string>& warnings) {
   const ProgressLine line(context, arguments.quiet);
   Stopwatch reading;
-  const TriangleMesh surface = readSurface(arguments, context);
+  const TriangleMesh surface = readSurface(arguments, context, warnings);
   reading.lap("read");
   Options options = arguments.options;
   options.precision = storedPrecision(arguments.output);
@@ -46,22 +50,26 @@ Solid makeSolid(const Arguments& arguments, RunContext& context) {
   auto& seconds = solid.report.seconds;
   seconds.insert(seconds.begin(), reading.laps().front());
   seconds.push_back(writing.laps().front());
+  solid.report.warnings.insert(solid.report.warnings.begin(), warnings.begin(), warnings.end());
   return solid;
 }
 
-CheckResult checkSurface(const Arguments& arguments, RunContext& context) {
+CheckResult checkSurface(const Arguments& arguments, RunContext& context,
+                         std::vector<std::string>& warnings) {
   const ProgressLine line(context, arguments.quiet);
-  const TriangleMesh surface = readSurface(arguments, context);
+  const TriangleMesh surface = readSurface(arguments, context, warnings);
   context.enter(Stage::kChecking, kReadShare, 1);
   CheckResult result = check(surface, context, arguments.options.threads);
   result.nearRims = nearRims(surface, context, arguments.options.threads);
+  result.warnings = warnings;
   return result;
 }
 
 void printSummary(const Arguments& arguments, const Report& report) {
   std::cout << oneLine(arguments.output.string()) << ": " << report.triangles << " triangles, "
             << report.volume / 1000 << " mL, thinnest wall " << report.thinnestWall << " of "
-            << report.thickness << " mm\n";
+            << report.thickness << " mm"
+            << (report.parts > 1 ? ", " + std::to_string(report.parts) + " parts" : "") << '\n';
 }
 
 void printNearRims(const NearRims& near) {
@@ -83,17 +91,25 @@ void writeReport(const Arguments& arguments, const std::string& json) {
   if (!arguments.report.empty()) writeText(arguments.report, json);
 }
 
-// The error that `run` ends with, if any, as the one type that the program reports.
+void printWarnings(const Arguments& arguments, const std::vector<std::string>& warnings) {
+  if (arguments.quiet) return;
+  for (const std::string& warning : warnings) printWarning(warning);
+}
+
+// run(warnings); the error that it ends with, if any, as the one type that the program reports, after what it
+// warned of until then.
 template <class Run>
 void withReport(const Arguments& arguments, Run run) {
+  std::vector<std::string> warnings;
   try {
     try {
-      run();
+      run(warnings);
     } catch (const std::bad_alloc&) {
       throw Error(ErrorCode::kMemoryLimit,
                   "the machine ran out of memory; free some, or use a larger --cell or a coarser surface");
     }
   } catch (const Error& error) {
+    printWarnings(arguments, warnings);
     if (error.code() != ErrorCode::kCancelled) writeReport(arguments, toJson(error));
     throw;
   }
@@ -104,7 +120,7 @@ void withReport(const Arguments& arguments, Run run) {
 void runThicken(const Arguments& arguments, RunContext context) {
   if (!arguments.report.empty()) requireFolderFor(arguments.report);
   Solid solid;
-  withReport(arguments, [&] {
+  withReport(arguments, [&](std::vector<std::string>& warnings) {
     requireReadable(arguments.input);
     requireWritable(arguments.output);
     requireFolderFor(arguments.output);
@@ -112,23 +128,24 @@ void runThicken(const Arguments& arguments, RunContext context) {
       requireWritable(arguments.repaired);
       requireFolderFor(arguments.repaired);
     }
-    solid = makeSolid(arguments, context);
+    solid = makeSolid(arguments, context, warnings);
   });
   writeReport(arguments, toJson(solid.report));
+  printWarnings(arguments, solid.report.warnings);
   if (arguments.quiet) return;
-  for (const std::string& warning : solid.report.warnings) printWarning(warning);
   printSummary(arguments, solid.report);
 }
 
 void runCheck(const Arguments& arguments, RunContext context) {
   if (!arguments.report.empty()) requireFolderFor(arguments.report);
   CheckResult result;
-  withReport(arguments, [&] {
+  withReport(arguments, [&](std::vector<std::string>& warnings) {
     requireReadable(arguments.input);
-    result = checkSurface(arguments, context);
+    result = checkSurface(arguments, context, warnings);
   });
   writeReport(arguments, toJson(result));
   if (!arguments.quiet && result.nearRims) printNearRims(*result.nearRims);
+  printWarnings(arguments, result.warnings);
   if (!result.valid()) {
     const Defect& first = result.defects.front();
     throw Error(first.code, first.sentence, result.defects);

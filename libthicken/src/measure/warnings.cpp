@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "measure/warnings.h"
+
+#include <fmt/format.h>
+
+namespace thicken {
+namespace {
+
+// A wall is thin below this share of the thickness.
+constexpr double kThin = 0.9;
+
+std::string text(const Vec3& p) {
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z());
+}
+
+void addRepair(Report& report) {
+  if (!report.repair || report.repair->changes.empty()) return;
+  const RepairFacts& facts = *report.repair;
+  std::string changes;
+  for (const RepairChange& change : facts.changes)
+    changes += fmt::format("{}{} {}", changes.empty() ? "" : ", ", change.count, name(change.kind));
+  const double share = report.input.area > 0 ? facts.removedArea / report.input.area : 0;
+  report.warnings.push_back(
+      fmt::format("the surface was repaired ({}): {} triangles with {} of its area were removed", changes,
+                  facts.removed, percentText(share)));
+}
+
+void addThinPlaces(Report& report) {
+  constexpr double kMuch = 1e-3;  // of the area; a smaller share is told only with a thin wall
+  const bool thinWall = report.thinnestWall < kThin * report.thickness;
+  if (!thinWall && report.thinShare < kMuch) return;
+  // Depths are known below the corners of the surface; a thin place between them has no share.
+  const std::string share =
+      report.thinShare > 0
+          ? percentText(report.thinShare) + " of the surface has less than 0.9 of the thickness below it"
+          : "below every corner of the surface there is 0.9 of the thickness at least";
+  report.warnings.push_back(
+      fmt::format("the solid is thinner than asked in places: the thinnest wall is {:.4g} mm at {}, and {}",
+                  report.thinnestWall, text(report.thinnestPlace), share));
+}
+
+// Two sides of the surface itself may be nearer to each other than any wall is thick: at a sharp edge.
+void addThinThrough(Report& report) {
+  constexpr double kMuchThinner = 0.5;
+  if (!(report.thinnestThrough > 0 && report.thinnestThrough < kMuchThinner * report.thickness &&
+        report.thinnestThrough < kMuchThinner * report.thinnestWall))
+    return;
+  report.warnings.push_back(
+      fmt::format("straight through the part it is only {:.4g} mm at {}: sharp edges and sheets that the "
+                  "surface itself has "
+                  "near each other are thinner than any wall below it",
+                  report.thinnestThrough, text(report.thinnestThroughPlace)));
+}
+
+void addParts(Report& report) {
+  if (report.parts < 2) return;
+  std::string crumbs;
+  if (report.crumbs > 0)
+    crumbs = fmt::format(", {} of them crumbs of less than {:.3g} mm³", report.crumbs, report.crumbVolume);
+  report.warnings.push_back(
+      fmt::format("the solid is {} separate parts that nothing joins{}", report.parts, crumbs));
+}
+
+// A surface read in metres or inches is small against a thickness in millimetres, and one in micrometres
+// large.
+void addUnits(Report& report) {
+  constexpr double kFarLarger = 1e5;
+  const double across = report.input.diagonal;
+  if (!(across > 0)) return;
+  if (report.thickness >= across)
+    report.warnings.push_back(fmt::format(
+        "the thickness of {:.4g} mm exceeds the surface itself, which is {:.4g} mm across; lengths are "
+        "millimetres: scale a surface in metres by 1000, one in inches by 25.4",
+        report.thickness, across));
+  else if (across > kFarLarger * report.thickness)
+    report.warnings.push_back(fmt::format(
+        "the surface is {:.4g} mm across, {:.2g} times the thickness of {:.4g} mm; lengths are millimetres: "
+        "scale a surface in micrometres by 0.001",
+        across, across / report.thickness, report.thickness));
+}
+
+}  // namespace
+
+std::string percentText(double share) {
+  constexpr double kLeast = 1e-4;
+  if (share > 0 && share < kLeast) return "less than 0.01 %";
+  return fmt::format("{:.3g} %", 100 * share);
+}
+
+void addWarnings(Report& report) {
+  addRepair(report);
+  addUnits(report);
+  addThinPlaces(report);
+  addThinThrough(report);
+  addParts(report);
+}
+
+}  // namespace thicken
