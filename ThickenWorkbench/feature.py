@@ -18,6 +18,9 @@ from .source_observer import observe_sources
 class ThickenFeature(StatelessProxy):
     """Proxy of a Mesh::FeaturePython that holds the solid of its Source."""
 
+    schema = params.SCHEMA_VERSION
+    migrations = params.MIGRATIONS
+
     def ensure_properties(self, obj: Any) -> None:
         params.ensure_properties(obj)
 
@@ -48,6 +51,8 @@ observe_sources(ThickenFeature)
 
 OUTPUTS = ("mesh", "solid")
 
+_NAME = "Thicken"
+
 
 def make_thicken(
     doc: Any,
@@ -56,6 +61,7 @@ def make_thicken(
     side: str = "negative",
     method: str = "auto",
     *,
+    quality: str = "standard",
     cell: Any = None,
     resolution: int | None = None,
     tolerance: Any = None,
@@ -65,13 +71,14 @@ def make_thicken(
     facets: Iterable[int] = (),
     deflection: Any = None,
     output: str = "mesh",
-    name: str = "Thicken",
+    name: str = _NAME,
 ) -> Any:
     """Add a feature that thickens the mesh or shape `source` to `doc`, recompute, and return it.
 
     `source` may be a list: every object of it gets a feature, and the list of them is returned.
     Lengths are numbers of mm, quantities, or text such as "2 mm". Without a thickness it is
-    build.suggested_thickness(). Of cell, resolution and tolerance give one or none.
+    build.suggested_thickness(). `quality` is "draft", "standard" or "fine"; or give one of cell, resolution and
+    tolerance.
 
     `faces` (names such as "Face3") choose a part of a shape, `facets` (indices) a part of a mesh;
     `deflection` is the farthest that the triangles of a shape may be from it. With output="solid" a
@@ -91,7 +98,8 @@ def make_thicken(
     for each in sources:
         require_source(each)
     inputs = dict(
-        side=side, method=method, repair=repair, smooth=smooth, cell=cell, resolution=resolution, tolerance=tolerance
+        side=side, method=method, repair=repair, smooth=smooth, quality=quality,
+        cell=cell, resolution=resolution, tolerance=tolerance,
     )
     made = []
     try:
@@ -115,6 +123,8 @@ def make_thicken(
 def _add_feature(doc: Any, source: Any, name: str, thickness: Any, choice: Any, inputs: dict[str, Any]) -> Any:
     obj = doc.addObject("Mesh::FeaturePython", name)
     try:
+        if name == _NAME:  # the tree and the file that is offered say what it is a solid of
+            obj.Label = f"{source.Label}_thick"
         ThickenFeature(obj)
         params.set_inputs(obj, **inputs)
         params.set_choice(obj, source, *choice)

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import FreeCAD as App
 
+from . import native, runs
 from .beside import placement_in_parent_of, put_beside
 from .proxy import StatelessProxy
 from .source_observer import observe_sources
@@ -54,20 +55,23 @@ def part_solid(vertices: ArrayLike, triangles: ArrayLike, merge_coplanar: bool =
     """
     import Part
 
-    from . import native
     from .brep_solid import brep_bytes
     from .coplanar import merged_faces
     from .polyhedron import shells_of_solids, triangle_faces
 
-    extension = native.load()
-    points, corners = extension.weld(vertices, triangles)
-    found = extension.inspect(points, corners)
-    if found["status"] != "ok":
-        reasons = " ".join(defect["sentence"].capitalize() + "." for defect in found["defects"])
-        raise RefusedError(f"The mesh bounds no solid. {reasons}")
-    make = merged_faces if merge_coplanar else triangle_faces
-    points, edges, faces, tolerance = make(points, corners, found["shell_of_triangle"], _TOLERANCE)
-    content = brep_bytes(points, edges, faces, shells_of_solids(found["shells"]), tolerance)
+    extension, threads = native.load(), runs.threads()
+
+    def step(context: Any) -> bytes:
+        points, corners = extension.weld(vertices, triangles)
+        found = extension.inspect(points, corners, threads=threads, context=context)
+        if found["status"] != "ok":
+            reasons = " ".join(defect["sentence"].capitalize() + "." for defect in found["defects"])
+            raise RefusedError(f"The mesh bounds no solid. {reasons}")
+        make = merged_faces if merge_coplanar else triangle_faces
+        points, edges, faces, tolerance = make(points, corners, found["shell_of_triangle"], _TOLERANCE)
+        return brep_bytes(points, edges, faces, shells_of_solids(found["shells"]), tolerance)
+
+    content = runs.run(step)
     shape = Part.Shape()
     # By way of a file: Python has no other way in for the binary format.
     with tempfile.TemporaryDirectory(prefix="thicken-") as folder:

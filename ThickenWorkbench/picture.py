@@ -20,6 +20,8 @@ _OVERSAMPLING = 2
 _MARGIN = 0.94
 # Pixels that are looked at at a time: bounds the memory, whatever the number of triangles.
 _CHUNK = 2_000_000
+# The rounding of a pixel's coordinates.
+_NEAR = 1e-6
 
 
 class View(NamedTuple):
@@ -62,8 +64,9 @@ def draw(
     """
     width, height = (side * _OVERSAMPLING for side in size)
     eye = np.asarray(vertices, float) @ view.axes().T
-    used = eye[np.unique(triangles)]
-    low, high = used.min(axis=0), used.max(axis=0)
+    used = np.zeros(len(eye), bool)
+    used[triangles] = True
+    low, high = eye[used].min(axis=0), eye[used].max(axis=0)
     scale = _MARGIN * min(width / max(high[0] - low[0], 1e-300), height / max(high[1] - low[1], 1e-300))
     middle = (low + high) / 2
     pixel = np.column_stack([
@@ -73,13 +76,13 @@ def draw(
     ])  # fmt: skip
     limit = np.inf if cut_at is None else float(np.asarray(cut_at, float) @ view.axes()[2])
     if cut_at is None:  # nobody sees the backs of a closed mesh
-        front = _normals(eye[triangles])[:, 2] > 0
+        front = _facing(pixel[triangles])
         triangles, colours = triangles[front], colours[front]
     nearest = _nearest_triangles(pixel[triangles], width, height, limit)
-    paint = _paint(eye[triangles], colours)
     image = np.full((height * width, 3), BACKGROUND, np.uint8)
     seen = nearest >= 0
-    image[seen] = paint[nearest[seen]]
+    shown, which = np.unique(nearest[seen], return_inverse=True)
+    image[seen] = _paint(eye[triangles[shown]], colours[shown])[which]
     return _png(image.reshape(height, width, 3), size)
 
 
@@ -107,9 +110,11 @@ def _nearest_triangles(corners: NDArray, width: int, height: int, limit: float) 
 
 
 def _pixels(corners: NDArray, width: int, height: int) -> Iterator[tuple[NDArray, NDArray, NDArray]]:
-    """Triangle ids and pixels of the boxes around the triangles, some at a time."""
-    low = np.maximum(np.floor(corners[:, :, :2].min(axis=1)), 0).astype(np.int64)
-    high = np.minimum(np.ceil(corners[:, :, :2].max(axis=1)), (width - 1, height - 1)).astype(np.int64)
+    """Triangle ids and the pixels whose middles are in the boxes around the triangles, some at a time."""
+    # Whole numbers are the middles of pixels: most of many small triangles have none of them.
+    flat = corners[:, :, :2]
+    low = np.maximum(np.ceil(flat.min(axis=1) - _NEAR), 0).astype(np.int64)
+    high = np.minimum(np.floor(flat.max(axis=1) + _NEAR), (width - 1, height - 1)).astype(np.int64)
     sides = np.maximum(high - low + 1, 0)
     counts = sides[:, 0] * sides[:, 1]
     ends = np.cumsum(counts)
@@ -121,6 +126,12 @@ def _pixels(corners: NDArray, width: int, height: int) -> Iterator[tuple[NDArray
         place = np.arange(len(ids)) - np.repeat(ends[first:after] - counts[first:after] - begun, counts[first:after])
         yield ids, low[ids, 0] + place % sides[ids, 0], low[ids, 1] + place // sides[ids, 0]
         first = after
+
+
+def _facing(corners: NDArray) -> NDArray:
+    """Which triangles turn their front to the eye; in pixels, y goes down."""
+    (ax, ay), (bx, by), (cx, cy) = corners[:, :, :2].transpose(1, 2, 0)
+    return (bx - ax) * (cy - ay) - (by - ay) * (cx - ax) < 0
 
 
 def _normals(corners: NDArray) -> NDArray:

@@ -3,15 +3,19 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import FreeCAD as App
 import Mesh
 
+from . import runs
 from .beside import placement_in_parent_of, put_beside, show_instead_of
 from .proxy import StatelessProxy, add_properties
 from .source_observer import observe_sources
-from .sources import RefusedError, require_source, surface_arrays
+from .sources import require_source, surface_arrays
+
+if TYPE_CHECKING:
+    from .arrays import RepairedMesh
 
 _RESULT = 1 | 8  # read-only, and changing it does not touch the document
 
@@ -109,24 +113,22 @@ def _set_weld(obj: Any, weld: Any) -> None:
 
 
 def _mended(obj: Any) -> tuple[Any, dict[str, Any]]:
-    try:
-        import numpy as np
+    with runs.refusing(obj.Source):
+        from .mesh_io import mesh_from_arrays
 
-        from . import native
-        from .arrays import repair_mesh
-        from .mesh_io import MeshTransferError, mesh_from_arrays
-
-        extension = native.load()
-    except ImportError as error:
-        raise RefusedError(str(error)) from None
-    try:
-        surface = surface_arrays(obj.Source)
-        mended = repair_mesh(*surface, weld=None if obj.WeldAutomatically else obj.Weld.Value)
+        mended = runs.run(repair_step(obj.Source, None if obj.WeldAutomatically else obj.Weld.Value))
         # The corners that triangles were divided at are the surface's own: still floats.
-        return mesh_from_arrays(np.asarray(mended.vertices), mended.triangles), mended.report
-    except (extension.ThickenError, MeshTransferError) as error:
-        text = str(error)
-        raise RefusedError(text[:1].upper() + text[1:].rstrip(".") + ".") from None
+        return mesh_from_arrays(mended.vertices, mended.triangles), mended.report
+
+
+def repair_step(source: Any, weld: float | None) -> runs.Step[RepairedMesh]:
+    """For the mended surface of `source`: nothing of it touches `source` any more."""
+    from .arrays import repair_mesh
+
+    surface = surface_arrays(source)
+    runs.require_room(len(surface[1]))
+    threads = runs.threads()
+    return lambda context: repair_mesh(*surface, weld=weld, threads=threads, context=context)
 
 
 def _show(obj: Any, report: dict[str, Any] | None) -> None:

@@ -43,6 +43,9 @@ def require_source(source: Any, feature: Any = None) -> None:
     if source is None:
         raise RefusedError("No surface is chosen. Set Source to a mesh object or to a shape with faces.")
     label = getattr(source, "Label", source)
+    linked = getattr(source, "LinkedObject", None)
+    if kind_of(source) is None and linked is not None:
+        raise RefusedError(f"“{label}” is a link. Choose the object that it links to, “{linked.Label}”, or a copy of that.")
     if kind_of(source) is None:
         raise RefusedError(f"“{label}” is neither a mesh nor a shape with faces. Choose one that is.")
     if feature is not None and (source == feature or feature in source.OutListRecursive):
@@ -94,6 +97,8 @@ def _facets_of(source: Any, facets: Iterable[int]) -> tuple[NDArray, NDArray]:
 
     from .mesh_io import MeshTransferError, arrays_from_mesh
 
+    if source.Mesh.CountFacets == 0:
+        raise RefusedError(f"“{source.Label}” has no triangles: there is nothing to thicken. Choose another mesh.")
     try:
         vertices, triangles = arrays_from_mesh(source.Mesh)
     except MeshTransferError as error:

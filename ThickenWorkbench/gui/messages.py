@@ -9,6 +9,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from .. import native
+from ..numbers import count, number
 from .qt import QtWidgets
 
 translate = App.Qt.translate
@@ -37,6 +38,20 @@ def tell(title: str, text: str) -> None:
     QtWidgets.QMessageBox.information(Gui.getMainWindow(), title, text)
 
 
+def tell_link(link: Any) -> None:
+    """Why a link cannot be used, and what can."""
+    text = translate(
+        "Thicken", "“{label}” is a link. Select the object that it links to, “{linked}”, or make a copy of that where the link is."
+    )
+    tell(translate("Thicken", "A link is selected"), text.format(label=link.Label, linked=link.LinkedObject.Label))
+
+
+def ask(title: str, text: str) -> bool:
+    """Whether the user wants to go on."""
+    box = QtWidgets.QMessageBox
+    return box.question(Gui.getMainWindow(), title, text, box.Ok | box.Cancel, box.Cancel) == box.Ok
+
+
 def extension_is_there() -> bool:
     """Whether the library can be used; otherwise the user is told what is missing and what to do."""
     try:
@@ -50,6 +65,13 @@ def extension_is_there() -> bool:
 def numbers(solid: Any) -> str:
     """One line about a solid."""
     report = solid.report
-    return translate("Thicken", "{volume} mL, thinnest wall {wall} mm").format(
-        volume=f"{report['output']['volume_ml']:.3g}", wall=f"{report['thinnest_wall']['mm']:.3g}"
+    return translate("Thicken", "{volume} mL, {triangles} triangles, thinnest wall {wall} mm").format(
+        volume=number(report["output"]["volume_ml"]),
+        triangles=count(report["output"]["triangles"]),
+        wall=number(report["thinnest_wall"]["mm"]),
     )
+
+
+def warning(text: str) -> str:
+    """A warning of the library as a sentence."""
+    return text[:1].upper() + text[1:].rstrip(".") + "."

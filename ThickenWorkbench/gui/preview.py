@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import Any, Callable
 
-from .. import preferences
+from .. import preferences, runs
 from ..arrays import Region, ThickenedMesh, thicken_mesh
 from .job import Job
 from .overlay import faces, over_object
@@ -58,9 +58,9 @@ class Preview:
 
     def _start(self) -> None:
         def step(surface: Any, arguments: dict[str, Any]) -> Callable[[Any], ThickenedMesh]:
-            return lambda context: thicken_mesh(
-                *surface, **arguments, threads=preferences.get("Threads"), context=context
-            )
+            return lambda context: thicken_mesh(*surface, **arguments, **limits, context=context)
+
+        limits = {"threads": runs.threads(), "memory": runs.memory()}
 
         self._job = Job([step(*run) for run in self._runs], self._finished).start()
 

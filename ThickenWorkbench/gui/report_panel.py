@@ -3,22 +3,23 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import FreeCAD as App
 import FreeCADGui as Gui
 
 from .. import preferences
-from ..printability import printability
+from ..printability import Measured, report_step, write_measured
 from ..sources import bound_box
 from . import macro, messages
 from .camera import go_to, view_of
 from .directions import direction, direction_box
 from .files import ask_target
-from .job import Job
 from .overlay import over_view, points
 from .panel import Panel
 from .qt import QtCore, QtWidgets, length_box, on_value
+from .run_row import RunRow, stopped_text
 from .report_summary import place_of, summary
 
 translate = App.Qt.translate
@@ -35,6 +36,7 @@ class ReportPanel(Panel):
     def __init__(self, solid: Any) -> None:
         self.solid = solid
         self.report: Any = None  #: of the inputs that are shown; None while it is computed
+        self.measured: Measured | None = None  #: what the report and its page are made from
         self._timer = QtCore.QTimer()
         self._timer.setSingleShot(True)
         self._timer.timeout.connect(self._compute)
@@ -46,11 +48,8 @@ class ReportPanel(Panel):
         Gui.Selection.clearSelection()
         self._edited()
 
-    def reject(self) -> bool:
-        self._timer.stop()
-        return super().reject()
-
     def leave_view(self) -> None:
+        self._timer.stop()
         self._overlay.remove()
 
     def go(self, link: Any) -> None:
@@ -78,11 +77,17 @@ class ReportPanel(Panel):
         self.facts.anchorClicked.connect(self.go)
         self.facts.setObjectName("Facts")
         self.facts.setMinimumHeight(320)
+        self.run_row = RunRow(self.stop)
+        column.addWidget(self.run_row.widget)
         column.addWidget(self.facts, 1)
-        self.save = QtWidgets.QPushButton(translate("Thicken", "Save …"))
+        self.save = QtWidgets.QPushButton(translate("Thicken", "Save..."))
         self.save.setObjectName("Save")
         self.save.clicked.connect(self._save)
         column.addWidget(self.save)
+        self.saved = QtWidgets.QLabel()
+        self.saved.setObjectName("Saved")
+        self.saved.setWordWrap(True)
+        column.addWidget(self.saved)
 
     def _inputs(self) -> dict[str, Any]:
         return {
@@ -91,10 +96,9 @@ class ReportPanel(Panel):
         }
 
     def _edited(self) -> None:
-        if self._job is not None:
-            self._job.abandon()
-            self._job = None
-        self.report = None
+        self.abandon()
+        self.report = self.measured = None
+        self.saved.clear()
         self._overlay.show()
         self.save.setEnabled(False)
         self.facts.setPlainText(translate("Thicken", "Measuring …"))
@@ -102,16 +106,15 @@ class ReportPanel(Panel):
 
     def _compute(self) -> None:
         inputs = self._inputs()
-        self._job = Job([lambda _: printability(self.solid, **inputs)], self._computed).start()
+        self.compute(lambda: report_step(self.solid, **inputs), self._computed, self._failed)
 
-    def _computed(self, job: Job) -> None:
-        self._job = None
-        if job.error is not None:
-            self.facts.setPlainText(messages.sentences(job.error))
-            return
-        (self.report,) = job.results
+    def _failed(self, sentences: str) -> None:
+        self.facts.setPlainText(sentences or stopped_text())
+
+    def _computed(self, found: Measured) -> None:
+        self.measured, self.report = found, found.facts
         macro.record("report", self.report, "printability", self.solid, **self._inputs())
-        self.facts.setHtml(summary(self.report))
+        self.facts.setHtml(summary(self.report, self.facts.palette()))
         self.save.setEnabled(True)
 
     def _save(self) -> None:
@@ -119,11 +122,22 @@ class ReportPanel(Panel):
             self.solid,
             translate("Thicken", "Save the report"),
             ".html",
-            translate("Thicken", "Page with pictures (*.html);;Data (*.json)"),
+            [translate("Thicken", "Page with pictures (*.html)"), translate("Thicken", "Data (*.json)")],
         )
         if not name:
             return
         try:
-            macro.run(macro.call("write_report", self.solid, name, **self._inputs()))
+            write_measured(self.measured, name)
         except OSError as error:
             messages.warn(translate("Thicken", "Nothing was written"), str(error))
+            return
+        macro.record("report", self.report, "write_report", self.solid, name, **self._inputs())
+        self.saved.setText(_told(Path(name)))
+
+
+def _told(path: Path) -> str:
+    """What was written."""
+    if path.suffix.lower() == ".json":
+        return translate("Thicken", "Written: {path}").format(path=path)
+    both = translate("Thicken", "Written: {path}, and the same facts as data in {data}")
+    return both.format(path=path, data=path.with_suffix(".json").name)

@@ -108,11 +108,13 @@ void addWarnings(Report& report) {
   constexpr double kThin = 0.9;
   if (report.thinnestWall >= kThin * report.thickness) return;
   const Vec3& p = report.thinnestPlace;
+  const double percent = 100 * report.thinShare;
+  const std::string share = percent < 0.01 ? "less than 0.01" : fmt::format("{:.3g}", percent);
   report.warnings.push_back(
       fmt::format("the solid is thinner than asked in places: the thinnest wall is {:.4g} mm at ({:.6g}, "
                   "{:.6g}, {:.6g}), and "
-                  "{:.3g} % of the surface has less than 0.9 of the thickness below it",
-                  report.thinnestWall, p.x(), p.y(), p.z(), 100 * report.thinShare));
+                  "{} % of the surface has less than 0.9 of the thickness below it",
+                  report.thinnestWall, p.x(), p.y(), p.z(), share));
 }
 
 // What is known of the surface once it has been looked at; a failure takes it along.

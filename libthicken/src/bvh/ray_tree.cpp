@@ -13,9 +13,11 @@ constexpr std::uint32_t kLeafSize = 4;
 // Depth of a tree of 2^32 triangles that is halved at every step.
 constexpr int kDeepest = 40;
 
-// Where the ray enters the box, or infinity; `inverse` holds 1 / direction.
+constexpr double kMissed = std::numeric_limits<double>::infinity();
+
+// Where the ray enters the box, or kMissed; `inverse` holds 1 / direction.
 double entry(const Vec3& low, const Vec3& high, const Vec3& origin, const Vec3& inverse) {
-  double from = 0, to = std::numeric_limits<double>::infinity();
+  double from = 0, to = kMissed;
   for (int k = 0; k < 3; ++k) {
     double a = (low[k] - origin[k]) * inverse[k], b = (high[k] - origin[k]) * inverse[k];
     if (a > b) std::swap(a, b);
@@ -23,7 +25,7 @@ double entry(const Vec3& low, const Vec3& high, const Vec3& origin, const Vec3& 
     if (a > from) from = a;
     if (b < to) to = b;
   }
-  return from <= to ? from : std::numeric_limits<double>::infinity();
+  return from <= to ? from : kMissed;
 }
 
 }  // namespace
@@ -85,7 +87,8 @@ void RayTree::meet(const Vec3& origin, const Vec3& direction, TriangleId triangl
   if (t < -kMargin || s + t > 1 + kMargin) return;
   const double along = v.dot(q) / determinant;
   if (along < 0 || along > hit.along || (along == hit.along && triangle > hit.triangle)) return;
-  hit = {along, triangle};
+  hit.along = along;
+  hit.triangle = triangle;
 }
 
 RayTree::Hit RayTree::first(const Vec3& origin, const Vec3& direction, const Triangle& from) const {
@@ -102,7 +105,10 @@ RayTree::Hit RayTree::first(const Vec3& origin, const Vec3& direction, const Tri
   while (count > 0) {
     const std::uint32_t index = waiting[--count];
     const Node& node = nodes_[index];
-    if (entry(node.low, node.high, origin, inverse) > hit.along) continue;
+    const double reached = entry(node.low, node.high, origin, inverse);
+    // Before the first hit `along` is infinite, as is the entry into a box that the ray misses.
+    if (reached == kMissed || reached > hit.along) continue;
+    ++hit.opened;
     for (std::uint32_t i = node.begin; i < node.begin + node.count; ++i)
       if (!beside(order_[i])) meet(origin, direction, order_[i], hit);
     if (node.count > 0) continue;

@@ -21,6 +21,7 @@ class RayTree {
   struct Hit {
     double along = std::numeric_limits<double>::infinity();  ///< mm, for a direction of length 1
     TriangleId triangle = 0xffffffffu;
+    std::uint32_t opened = 0;  ///< boxes that were looked into: the work that it took
   };
 
   /// The first meeting of the ray from `origin` along `direction` with a triangle that has no corner in
