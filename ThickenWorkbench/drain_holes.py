@@ -21,6 +21,8 @@ from .sources import RefusedError, kind_of
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+translate = App.Qt.translate
+
 _RESULT = 1 | 8  # read-only, and changing it does not touch the document
 _HIDDEN = 4
 
@@ -277,7 +279,8 @@ def drill_step(source: Any, diameter: float, count: int, direction: Any, places:
         trapped = [shell["volume_mm3"] / 1000 for shell in facts["shells"] if shell["cavity"]]
         if trapped:
             volumes = ", ".join(number(volume) for volume in sorted(trapped, reverse=True))
-            warnings.append(f"{len(trapped)} cavities stay closed, of {volumes} mL.")
+            closed = translate("Thicken", "Cavities that stay closed: {count}, of {volumes} mL.")
+            warnings.append(closed.format(count=len(trapped), volumes=volumes))
         return _Drilled(points, corners, region, [_hole_of(hole) for hole in found], facts, warnings)
 
     return step

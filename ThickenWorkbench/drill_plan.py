@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple, Sequence
 
+import FreeCAD as App
 import numpy as np
 from numpy.typing import NDArray
 
@@ -12,6 +13,9 @@ from .drain_places import cavities_of, places_for, ways_down
 from .drain_pools import HoleEnds, pools
 from .numbers import number
 from .sources import RefusedError
+
+
+translate = App.Qt.translate
 
 
 class Drill(NamedTuple):
@@ -40,7 +44,9 @@ def drill_cavities(
         raise RefusedError("There is no valid solid to drill: " + facts["defects"][0]["sentence"] + ".")
     cavities = cavities_of(facts, triangles)
     if not cavities:
-        raise RefusedError("The solid has no cavity, so that nothing is trapped in it. Give places to drill it all the same.")
+        raise RefusedError(translate(
+            "Thicken", "The solid has no cavity, so that nothing is trapped in it. Give places to drill it all the same."
+        ))  # fmt: skip
     points, holes, warnings, reasons = vertices, [], [], []
     for cavity in cavities:
         taken: list[NDArray] = []
@@ -55,10 +61,12 @@ def drill_cavities(
             taken.append(np.array(drilled["entry"]))
             holes.append(drilled)
         if 0 < len(taken) < count:
-            warnings.append(f"A cavity of {cavity.volume / 1000:.3g} mL got {len(taken)} of {count} holes.")
+            got = translate("Thicken", "A cavity of {volume} mL got {some} of {all} holes.")
+            warnings.append(got.format(volume=number(cavity.volume / 1000), some=len(taken), all=count))
     if not holes:
         raise RefusedError(reasons[0])
-    warnings = pool_warnings(drill, points, cavities, holes, direction, "no hole could be drilled lower down") + warnings
+    advice = translate("Thicken", "no hole could be drilled lower down")
+    warnings = pool_warnings(drill, points, cavities, holes, direction, advice) + warnings
     return vertices, triangles, holes, warnings
 
 
@@ -77,23 +85,27 @@ def drill_places(
         drilled = drill(vertices, triangles, [point] * len(axes), axes)
         vertices, triangles = drilled["vertices"], drilled["triangles"]
         holes.append(drilled)
-    warnings = pool_warnings(drill, points, cavities, holes, np.asarray(up, float), "place a hole lower down")
+    advice = translate("Thicken", "place a hole lower down")
+    warnings = pool_warnings(drill, points, cavities, holes, np.asarray(up, float), advice)
     return vertices, triangles, holes, warnings
 
 
 def pool_warnings(drill: Drill, vertices, cavities, holes, up: NDArray, advice: str) -> list[str]:
     """A sentence for each cavity in which resin stays."""
     ends = [HoleEnds(np.array(hole["entry"]), np.array(hole["exit"])) for hole in holes]
+    stays = translate(
+        "Thicken", "{depth} mm of resin, about {volume} mL, stay below the lowest hole of a cavity of {all} mL: {advice}."
+    )
     return [
-        f"{number(pool.depth)} mm of resin, about {number(pool.volume / 1000)} mL, stay below the lowest hole of a cavity of "
-        f"{number(pool.cavity.volume / 1000)} mL: {advice}."
+        stays.format(depth=number(pool.depth), volume=number(pool.volume / 1000),
+                     all=number(pool.cavity.volume / 1000), advice=advice)
         for pool in pools(drill.extension, vertices, cavities, ends, up, drill.diameter)
     ]
 
 
 def _first_of(drill: Drill, vertices, triangles, ways) -> tuple[dict[str, Any] | None, str]:
     if not ways:
-        return None, "There is no room for a hole: choose a smaller diameter or fewer holes."
+        return None, translate("Thicken", "There is no room for a hole: choose a smaller diameter or fewer holes.")
     try:
         return drill(vertices, triangles, *zip(*ways)), ""
     except drill.extension.ThickenError as error:

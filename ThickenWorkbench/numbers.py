@@ -53,3 +53,12 @@ def _marks() -> tuple[str, str]:
 
     locale = QtCore.QLocale()
     return str(locale.decimalPoint()), str(locale.groupSeparator())
+
+
+def language() -> str:
+    """That of FreeCAD's windows, as in "de"."""
+    if not App.GuiUp:
+        return "en"
+    from .gui.qt import QtCore
+
+    return str(QtCore.QLocale().name()).partition("_")[0] or "en"

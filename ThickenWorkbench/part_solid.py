@@ -14,12 +14,15 @@ import FreeCAD as App
 
 from . import native, runs
 from .beside import placement_in_parent_of, put_beside
+from .numbers import count, number
 from .proxy import StatelessProxy
 from .source_observer import observe_sources
 from .sources import RefusedError, kind_of
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
+
+translate = App.Qt.translate
 
 # Open CASCADE's own smallest tolerance, mm.
 _TOLERANCE = 1e-7
@@ -40,9 +43,13 @@ def size_warning(triangles: int) -> str:
     seconds = predicted_seconds(triangles)
     if seconds <= _WARN_BEYOND_SECONDS:
         return ""
-    return (
-        f"A Part solid of {triangles} faces takes about {seconds:.0f} s to make and check, and every later step of Part "
-        "as long again. A mesh is enough for printing; simplify it, or merge coplanar facets, if a solid is needed."
+    warning = translate(
+        "Thicken",
+        "A Part solid of {faces} faces takes about {seconds} s to make, and a check or a cut of it {later} s. "
+        "A mesh is enough for printing; choose a coarser quality, or merge coplanar facets, if a solid is needed.",
+    )
+    return warning.format(
+        faces=count(triangles), seconds=number(predicted_seconds(triangles, check=False), 2), later=number(seconds, 2)
     )
 
 

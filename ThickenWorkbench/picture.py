@@ -90,8 +90,9 @@ def _nearest_triangles(corners: NDArray, width: int, height: int, limit: float) 
     """For each pixel the triangle that the eye meets first, or -1."""
     depth = np.full(width * height, -np.inf)
     nearest = np.full(width * height, -1, np.int64)
+    columns = np.ascontiguousarray(corners.reshape(-1, 9).T)
     for ids, x, y in _pixels(corners, width, height):
-        (ax, ay, az), (bx, by, bz), (cx, cy, cz) = corners[ids].transpose(1, 2, 0)
+        ax, ay, az, bx, by, bz, cx, cy, cz = (column[ids] for column in columns)
         area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
         area[area == 0] = np.nan
         b = ((x - ax) * (cy - ay) - (y - ay) * (cx - ax)) / area

@@ -15,10 +15,14 @@ from typing import TYPE_CHECKING, Any, Callable, Iterator, TypeVar
 import FreeCAD as App
 
 from . import preferences, prediction
+from .numbers import count
+from .numbers import place as place_text
 from .sources import RefusedError
 
 if TYPE_CHECKING:
     from ._thicken import RunContext
+
+translate = App.Qt.translate
 
 Result = TypeVar("Result")
 Step = Callable[["RunContext"], Result]
@@ -42,10 +46,11 @@ def require_room(triangles: int) -> None:
     """Raise RefusedError where checking or measuring so many triangles would pass the user's limit."""
     limit, needed = memory(), prediction.bytes_of(triangles)
     if limit is not None and needed > limit << 20:
-        raise RefusedError(
-            f"{triangles} triangles take about {needed >> 20} MiB, and the preferences allow {limit} MiB. "
-            "Allow more there, or simplify the mesh."
-        )
+        text = translate(
+            "Thicken", "{triangles} triangles take about {needed} MiB, and the preferences allow {limit} MiB. "
+                       "Allow more there, or simplify the mesh."
+        )  # fmt: skip
+        raise RefusedError(text.format(triangles=count(triangles), needed=count(needed >> 20), limit=count(limit)))
 
 
 def run(step: Step[Result]) -> Result:
@@ -107,7 +112,8 @@ def refusing(source: Any) -> Iterator[None]:
     except RefusedError:
         raise
     except MemoryError:
-        raise RefusedError("There is not enough memory. Simplify the mesh, or choose a coarser quality.") from None
+        text = translate("Thicken", "There is not enough memory. Simplify the mesh, or choose a coarser quality.")
+        raise RefusedError(text) from None
     except ImportError as error:
         raise RefusedError(str(error)) from None
     except RuntimeError as error:
@@ -120,11 +126,18 @@ def refusing(source: Any) -> Iterator[None]:
         raise
 
 
+def all_parts(error: BaseException) -> list[str]:
+    """What an error and its defects say; its own text often begins with the first of them, or ends with it."""
+    parts = [defect["sentence"] for defect in getattr(error, "defects", ())]
+    text = str(error) or type(error).__name__
+    if not parts or parts[0] not in text:
+        return [text, *parts]
+    return parts if text.startswith(parts[0]) else [text, *parts[1:]]
+
+
 def sentences(error: Any, source: Any) -> str:
     """All that was found; the library's coordinates are the mesh's own, before the Placement."""
-    parts = [defect["sentence"] for defect in error.defects]
-    if not parts or not str(error).startswith(parts[0]):
-        parts.insert(0, str(error))
+    parts = all_parts(error)
     located = [defect for defect in error.defects if defect["triangles"] or defect["edges"] or defect["vertices"]]
     placement = source.getGlobalPlacement()
     if located and not placement.isIdentity():
@@ -135,7 +148,7 @@ def sentences(error: Any, source: Any) -> str:
 def in_document(placement: Any, place: Any) -> str:
     """Where a place of a mesh's own coordinates is once its Placement has moved it."""
     at = placement.multVec(App.Vector(*(x or 0.0 for x in place)))
-    return f"in the document the first place is at ({at.x:g}, {at.y:g}, {at.z:g}) mm"
+    return translate("Thicken", "in the document the first place is at {place}").format(place=place_text(tuple(at)))
 
 
 def as_sentences(parts: list[str]) -> str:

@@ -8,7 +8,7 @@ from typing import Any
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from .. import native
+from .. import native, runs
 from ..numbers import count, number
 from .qt import QtWidgets
 
@@ -19,11 +19,7 @@ def sentences(error: BaseException) -> str:
     """All that an error says, as whole sentences."""
     if isinstance(error, MemoryError):
         return translate("Thicken", "There is not enough memory. Simplify the mesh, or choose a coarser quality.")
-    parts = [defect["sentence"] for defect in getattr(error, "defects", ())]
-    text = str(error) or type(error).__name__
-    if not parts or not text.startswith(parts[0]):
-        parts.insert(0, text)
-    return " ".join(part[:1].upper() + part[1:].rstrip(".") + "." for part in parts)
+    return runs.as_sentences(runs.all_parts(error))
 
 
 def was_cancelled(error: BaseException | None) -> bool:
@@ -74,4 +70,4 @@ def numbers(solid: Any) -> str:
 
 def warning(text: str) -> str:
     """A warning of the library as a sentence."""
-    return text[:1].upper() + text[1:].rstrip(".") + "."
+    return runs.as_sentences([text])

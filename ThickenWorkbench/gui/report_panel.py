@@ -9,7 +9,7 @@ from typing import Any
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from .. import preferences
+from .. import preferences, runs
 from ..printability import Measured, report_step, write_measured
 from ..sources import bound_box
 from . import macro, messages
@@ -64,6 +64,7 @@ class ReportPanel(Panel):
         self.form.setWindowTitle(translate("Thicken", "Printability Report"))
         column = QtWidgets.QVBoxLayout(self.form)
         rows = QtWidgets.QFormLayout()
+        rows.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
         column.addLayout(rows)
         self.direction = direction_box()
         self.direction.currentIndexChanged.connect(lambda _: self._edited())
@@ -127,7 +128,7 @@ class ReportPanel(Panel):
         if not name:
             return
         try:
-            write_measured(self.measured, name)
+            runs.run(lambda _: write_measured(self.measured, name))
         except OSError as error:
             messages.warn(translate("Thicken", "Nothing was written"), str(error))
             return

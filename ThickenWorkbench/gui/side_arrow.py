@@ -11,7 +11,6 @@ from numpy.typing import ArrayLike
 
 from .. import preferences
 from .overlay import arrow, over_object
-from .qt import QtCore
 from .view_clicks import Unselect
 
 # The arrow is as long as the thickness, but never too small to be seen and clicked.
@@ -61,13 +60,13 @@ class SideArrow:
         return self._pixels((self._foot + self._tips[0]) / 2)
 
     def _on_button(self, event: dict[str, Any]) -> None:
-        if event["Button"] != "BUTTON1":
+        if event["Button"] != "BUTTON1" or event["State"] != "DOWN":
             return
-        if event["State"] == "UP":  # FreeCAD selects what lies behind when the button is released
-            QtCore.QTimer.singleShot(0, self._unselect.forget)
-        elif self._is_near(event["Position"]):
+        if self._is_near(event["Position"]):
             self._unselect.expect()
             self._flip()
+        else:
+            self._unselect.forget()
 
     def _is_near(self, position: tuple[int, int]) -> bool:
         click = np.asarray(position, float)

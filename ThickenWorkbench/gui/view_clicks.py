@@ -11,6 +11,9 @@ import FreeCADGui as Gui
 
 from .qt import QtCore
 
+# A click is over by then.
+_CLICK_MS = 500
+
 
 class ViewClicks:
     """Calls `hit` with the place (of the document, mm) of each click on `obj`, until stop()."""
@@ -38,7 +41,8 @@ class ViewClicks:
 class Unselect:
     """Takes back the selection that a click makes as well: its colour would hide what is being chosen.
 
-    Of each click, until stop(); without `always`, only of those between expect() and forget().
+    Of each click, until stop(); without `always`, only of the one that follows expect(). FreeCAD selects when
+    the button is released, and tells nobody else of that.
     """
 
     def __init__(self, always: bool = True) -> None:
@@ -47,7 +51,9 @@ class Unselect:
         Gui.Selection.addObserver(self)
 
     def expect(self) -> None:
+        """A button has just been pressed on what is not meant to select."""
         self._expected = True
+        QtCore.QTimer.singleShot(_CLICK_MS, self.forget)
 
     def forget(self) -> None:
         self._expected = False
@@ -59,6 +65,7 @@ class Unselect:
 
     def addSelection(self, document: str, name: str, sub: str, place: Any) -> None:
         if self._always or self._expected:
+            self._expected = False
             QtCore.QTimer.singleShot(0, Gui.Selection.clearSelection)
 
     def setPreselection(self, document: str, name: str, sub: str) -> None:

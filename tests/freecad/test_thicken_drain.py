@@ -191,7 +191,7 @@ class SeveralCavities(DocumentCase):
         feature = ThickenWorkbench.make_drain_holes(self.doc, self.add_source(solid), 4)
         self.assertTrue(feature.isValid(), feature.getStatusString())
         self.assertEqual((feature.HoleCount, feature.Trapped), (1, 1))
-        self.assertRegex(" ".join(feature.Warnings), r"stay closed, of 0\.001 mL")
+        self.assertRegex(" ".join(feature.Warnings), r"stay closed: 1, of 0\.001 mL")
 
 
 class HollowSphere(DocumentCase):
