@@ -71,11 +71,15 @@ class ThickenPanel(Panel):
     # --- what FreeCAD calls ---
 
     def accept(self) -> bool:
-        """Compute; the panel closes itself once the features are made."""
+        """Take the previewed solids, or compute; the panel closes itself once the features are made."""
         if self._job is None and self._inputs_make_sense():
             self.form_parts.pick.setChecked(False)
-            self._preview.cancel()
-            self._compute()
+            solids = self._preview.solids()
+            if solids is not None:
+                self._take(solids)
+            else:
+                self._preview.cancel()
+                self._compute()
         return False
 
     # --- before OK ---
@@ -160,8 +164,7 @@ class ThickenPanel(Panel):
             self._read_surfaces(inputs["deflection"])
         seconds, memory = prediction.forecast(self._triangles, inputs["side"]).sentence()
         forecast = translate("Thicken", "OK will take about {seconds} and {memory} of memory.")
-        told = [forecast.format(seconds=seconds, memory=memory), self._question_of_unit(), self._warning_of_size()]
-        parts.forecast.setText("\n".join(filter(None, told)))
+        self._show_forecast(forecast.format(seconds=seconds, memory=memory))
         self._arrow.show(inputs["side"], inputs["thickness"])
         self._preview.cancel()
         if self._picker is not None:
@@ -178,12 +181,16 @@ class ThickenPanel(Panel):
         else:
             self._preview.hide()
 
+    def _show_forecast(self, text: str) -> None:
+        told = [text, self._question_of_unit(), self._warning_of_size()]
+        self.form_parts.forecast.setText("\n".join(filter(None, told)))
+
     def _warning_of_size(self) -> str:
-        """What Part will make of a large solid: it has the surface's triangles and about as many new ones."""
+        """What Part will make of a large solid: the previewed one, or one with about as many new triangles."""
         if self.form_parts.output_word() == OUTPUTS[0]:
             return ""
-        warning = size_warning(2 * self._triangles)
-        return warning
+        solids = self._preview.solids()
+        return size_warning(2 * self._triangles if solids is None else sum(len(solid.triangles) for solid in solids))
 
     def _question_of_unit(self) -> str:
         """Whether the surface is in another unit, where it is hardly in millimetres."""
@@ -217,6 +224,7 @@ class ThickenPanel(Panel):
             return
         self._learn(solids)
         lines = [translate("Thicken", "Preview: {numbers}.").format(numbers=messages.numbers(s)) for s in solids]
+        self._show_forecast(translate("Thicken", "OK makes this solid at once."))
         lines += [messages.warning(w) for s in solids for w in s.report["warnings"]]
         self.form_parts.tell("\n".join(lines))
 
@@ -259,12 +267,16 @@ class ThickenPanel(Panel):
             self.form_parts.tell(self._advice(job.error), bad=True)
         else:
             self._learn(job.results)
-            for run, solid in zip(self._runs(), job.results):
-                precomputed.offer(*run, solid)
-            try:
-                self._commit()
-            finally:
-                precomputed.withdraw()
+            self._take(job.results)
+
+    def _take(self, solids: list[ThickenedMesh]) -> None:
+        """Make the features with solids that are there already."""
+        for run, solid in zip(self._runs(), solids):
+            precomputed.offer(*run, solid)
+        try:
+            self._commit()
+        finally:
+            precomputed.withdraw()
 
     def _commit(self) -> None:
         """Make the features by lines that a macro can repeat, as one step of undo."""
