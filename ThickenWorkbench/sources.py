@@ -151,7 +151,7 @@ def _chosen_shape(source: Any, faces: Sequence[str]) -> Any:
         number = int(name[4:])
         if number > len(every):
             raise RefusedError(
-                f"“{source.Label}” has no {name}, only {len(every)} faces. Choose the faces again: the shape has changed."
+                f"“{source.Label}” has no {name}: the last one is Face{len(every)}. Choose the faces again: the shape has changed."
             )
         chosen.append(every[number - 1])
     return Part.makeCompound(chosen)

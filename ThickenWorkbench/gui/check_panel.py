@@ -107,6 +107,7 @@ class CheckPanel(Panel):
             kind.setData(0, QtCore.Qt.UserRole, (defect.sentence, everything))
             for place in found:
                 row = QtWidgets.QTreeWidgetItem(kind, [place.name])
+                row.setToolTip(0, place.name)  # a narrow panel cuts it off
                 row.setData(0, QtCore.Qt.UserRole, (defect.sentence, place.corners))
             kind.setExpanded(True)
 

@@ -68,15 +68,13 @@ class MapPanel(Panel):
         self.legend = Legend()
         self.to_least = self._button("ToLeast", translate("Thicken", "Go to the least"), lambda: self.map.minimum_place)
         self.to_most = self._button("ToMost", translate("Thicken", "Go to the largest"), lambda: self.map.maximum_place)
-        line = QtWidgets.QHBoxLayout()
-        line.addWidget(self.to_least)
-        line.addWidget(self.to_most)
         self.run_row = RunRow(self.stop)
         column.addWidget(self.what)
         column.addWidget(self.run_row.widget)
         column.addWidget(self.facts)
         column.addWidget(self.legend, 1)
-        column.addLayout(line)
+        column.addWidget(self.to_least)
+        column.addWidget(self.to_most)
 
     def _button(self, name: str, text: str, place: Any) -> Any:
         button = QtWidgets.QPushButton(text)

@@ -21,6 +21,7 @@ from .panel import Panel
 from .qt import QtCore, QtWidgets, length_box, on_value
 from .run_row import RunRow, stopped_text
 from .report_summary import place_of, summary
+from .tones import tones
 
 translate = App.Qt.translate
 
@@ -115,7 +116,7 @@ class ReportPanel(Panel):
     def _computed(self, found: Measured) -> None:
         self.measured, self.report = found, found.facts
         macro.record("report", self.report, "printability", self.solid, **self._inputs())
-        self.facts.setHtml(summary(self.report, self.facts.palette()))
+        self.facts.setHtml(summary(self.report, tones(self.facts)))
         self.save.setEnabled(True)
 
     def _save(self) -> None:

@@ -9,20 +9,19 @@ from typing import Any, Iterable
 import FreeCAD as App
 
 from ..numbers import count, number, percent
-from .qt import QtGui
 
 translate = App.Qt.translate
 
 _SCHEME = "place:"
 
 
-def summary(facts: dict[str, Any], palette: Any) -> str:
-    """A verdict, what to know before printing, and a table, in colours that are legible on `palette`."""
+def summary(facts: dict[str, Any], colours: dict[str, str]) -> str:
+    """A verdict, what to know before printing, and a table; `colours` are those of tones()."""
     good = translate("Thicken", "Ready to print")
     bad = translate("Thicken", "To mend before printing")
     verdict = good if facts["printable"] else bad
-    colour = _colours(palette)["good" if facts["printable"] else "bad"]
-    link = _colours(palette)["link"]
+    colour = colours["good" if facts["printable"] else "bad"]
+    link = colours["link"]
     rows = "".join(
         f"<tr><td>{escape(name)}&nbsp;&nbsp;</td><td>{text.replace('<a ', f'<a style=color:{link} ')}</td></tr>"
         for name, text in _rows(facts)
@@ -33,13 +32,6 @@ def summary(facts: dict[str, Any], palette: Any) -> str:
         + (f"<ul style='margin-left: -20px'>{warnings}</ul>" if warnings else "")
         + f"<table>{rows}</table>"
     )
-
-
-def _colours(palette: Any) -> dict[str, str]:
-    """The palettes of FreeCAD's dark style sheets say nothing of links: so the text's own lightness decides."""
-    if palette.color(QtGui.QPalette.Text).lightness() > palette.color(QtGui.QPalette.Base).lightness():
-        return {"good": "#57e389", "bad": "#ff7b72", "link": "#79b8ff"}
-    return {"good": "#1a7f37", "bad": "#c01c28", "link": "#0b57d0"}
 
 
 def place_of(link: str) -> tuple[float, ...]:

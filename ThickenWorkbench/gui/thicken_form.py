@@ -11,6 +11,7 @@ from .. import params, preferences
 from ..sources import DEFAULT_DEFLECTION
 from .qt import QtCore, QtWidgets, length_box, on_value
 from .run_row import RunRow
+from .tones import tones
 
 translate = App.Qt.translate
 
@@ -293,7 +294,7 @@ class ThickenForm:
 
     def tell(self, text: str, bad: bool = False) -> None:
         self.status.setText(text)
-        self.status.setStyleSheet("color: #c01c28" if bad else "")
+        self.status.setStyleSheet(f"color: {tones(self.title)['bad']}" if bad else "")
 
     # --- within ---
 

@@ -131,7 +131,8 @@ class ThickenPanel(Panel):
         self._edited()
 
     def _title(self) -> str:
-        names = ", ".join(f"“{item.source.Label}”" for item in self.chosen[:3])
+        quoted = translate("Thicken", "“{label}”")
+        names = ", ".join(quoted.format(label=item.source.Label) for item in self.chosen[:3])
         more = "" if len(self.chosen) <= 3 else " …"
         count = translate("Thicken", "{count} triangles").format(count=numbers.count(self._triangles))
         return f"{names}{more}: {count}"

@@ -800,6 +800,14 @@
         <extracomment>a result: the path of its value in the report (docs/report.md)</extracomment>
         <translation>Ein Part-Festkörper aus {faces} Flächen braucht etwa {seconds} s, eine Prüfung oder ein Schnitt damit {later} s. Zum Drucken genügt ein Netz; sonst bitte eine gröbere Güte wählen oder ebene Nachbarn vereinigen.</translation>
     </message>
+    <message>
+        <source>OK makes this solid at once.</source>
+        <translation>OK macht diesen Körper sofort.</translation>
+    </message>
+    <message>
+        <source>“{label}”</source>
+        <translation>„{label}“</translation>
+    </message>
 </context>
 <context>
     <name>ThickenPreferences</name>

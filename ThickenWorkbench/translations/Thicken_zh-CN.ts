@@ -800,6 +800,14 @@
         <extracomment>a result: the path of its value in the report (docs/report.md)</extracomment>
         <translation>生成 {faces} 个面的 Part 实体约需 {seconds} s，对其检查或剪切约需 {later} s。打印只需网格；若需要实体，请选择更粗的质量或合并共面三角形。</translation>
     </message>
+    <message>
+        <source>OK makes this solid at once.</source>
+        <translation>点击“确定”即可得到此实体。</translation>
+    </message>
+    <message>
+        <source>“{label}”</source>
+        <translation>“{label}”</translation>
+    </message>
 </context>
 <context>
     <name>ThickenPreferences</name>

@@ -108,6 +108,7 @@ class EditedAgain(GuiCase):
     def test_repair(self):
         repaired = ThickenWorkbench.make_repair(self.doc, self.add_mesh(crossing_plates()))
         Gui.getDocument(self.doc.Name).setEdit(repaired.Name, 0)
+        process_events()
         panel = editing.current()
         self.assertIn("met others", self.child(panel, "Status").text())
         self.child(panel, "WeldAutomatically").setChecked(False)
@@ -143,3 +144,25 @@ class Narrow(GuiCase):
                     Gui.Control.closeDialog()
                     process_events()
                     self.assertLessEqual(width, 236)
+
+
+class Dark(GuiCase):
+    """FreeCAD's dark style sheets change colours, not palettes' grounds."""
+
+    def test_errors_and_links_are_light_on_dark(self):
+        from pathlib import Path
+
+        from PySide import QtGui
+
+        from ThickenWorkbench.gui.tones import tones
+
+        self.select(self.add_mesh(crossing_plates()))
+        panel = self.run_command("Thicken_Make")
+        light = tones(panel.form_parts.title)
+        sheet = Path(App.getResourceDir()) / "Gui" / "Stylesheets" / "Behave-dark.qss"
+        self.addCleanup(QtGui.QApplication.instance().setStyleSheet, "")
+        QtGui.QApplication.instance().setStyleSheet(sheet.read_text())
+        process_events()
+        dark = tones(panel.form_parts.title)
+        for name in light:
+            self.assertGreater(QtGui.QColor(dark[name]).lightness(), QtGui.QColor(light[name]).lightness())

@@ -13,7 +13,7 @@ from PySide import QtCore, QtGui
 import ThickenWorkbench
 from ThickenWorkbench import mesh_io, preferences
 from ThickenWorkbench.gui import editing
-from gui_case import GuiCase, click, type_text, wait_until
+from gui_case import GuiCase, click, process_events, type_text, wait_until
 from thicken_surfaces import fin, grid, plate, saddle
 
 
@@ -79,6 +79,7 @@ class Panel(GuiCase):
         feature = self.doc.getObject("Thicken")
         self.assertEqual(feature.Quality, "Draft")
         Gui.getDocument(self.doc.Name).setEdit(feature.Name, 0)
+        process_events()
         panel = editing.current()
         self.assertEqual(self.child(panel, "Quality").currentIndex(), 0)
         self.assertFalse(self.child(panel, "Advanced").isChecked())
@@ -124,7 +125,9 @@ class Panel(GuiCase):
         self.run_command("Thicken_Solid")
         solid = ThickenWorkbench.part_solid_of(feature)
         self.assertAlmostEqual(solid.Shape.Volume, 400, delta=1e-3)
-        self.assertEqual(self.doc.UndoCount, 2)
+        self.assertEqual(self.doc.UndoCount, 1)
+        self.doc.undo()
+        self.assertIsNone(ThickenWorkbench.part_solid_of(feature))
 
     def test_thickness_is_typed_with_a_unit(self):
         panel = self.open(self.add_mesh(plate()))
