@@ -90,15 +90,10 @@ def _nearest_triangles(corners: NDArray, width: int, height: int, limit: float) 
     """For each pixel the triangle that the eye meets first, or -1."""
     depth = np.full(width * height, -np.inf)
     nearest = np.full(width * height, -1, np.int64)
-    columns = np.ascontiguousarray(corners.reshape(-1, 9).T)
+    planes = _planes(corners)
     for ids, x, y in _pixels(corners, width, height):
-        ax, ay, az, bx, by, bz, cx, cy, cz = (column[ids] for column in columns)
-        area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
-        area[area == 0] = np.nan
-        b = ((x - ax) * (cy - ay) - (y - ay) * (cx - ax)) / area
-        c = ((bx - ax) * (y - ay) - (by - ay) * (x - ax)) / area
-        z = az + b * (bz - az) + c * (cz - az)
-        inside = (b >= -1e-9) & (c >= -1e-9) & (b + c <= 1 + 1e-9) & (z <= limit)
+        b, c, z = (at_0[ids] + along_x[ids] * x + along_y[ids] * y for at_0, along_x, along_y in planes)
+        inside = (b >= -_NEAR) & (c >= -_NEAR) & (b + c <= 1 + _NEAR) & (z <= limit)
         where, z, owner = (y * width + x)[inside], z[inside], ids[inside]
         order = np.lexsort((z, where))  # the last of each pixel is the nearest
         where, z, owner = where[order], z[order], owner[order]
@@ -108,6 +103,18 @@ def _nearest_triangles(corners: NDArray, width: int, height: int, limit: float) 
         depth[where[nearer]] = z[nearer]
         nearest[where[nearer]] = owner[nearer]
     return nearest
+
+
+def _planes(corners: NDArray) -> list[tuple[NDArray, NDArray, NDArray]]:
+    """What is linear over each triangle: the shares of its second and third corner, and the depth; each as its value
+    at pixel (0, 0) and its growth along x and y. Not a number for a triangle that is seen from its edge."""
+    (ax, ay, az), (bx, by, bz), (cx, cy, cz) = np.ascontiguousarray(corners.transpose(1, 2, 0))
+    area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
+    area[area == 0] = np.nan
+    b_x, b_y = (cy - ay) / area, (ax - cx) / area
+    c_x, c_y = (ay - by) / area, (bx - ax) / area
+    z_x, z_y = (b_x * (bz - az) + c_x * (cz - az)), (b_y * (bz - az) + c_y * (cz - az))
+    return [(at_a - gx * ax - gy * ay, gx, gy) for at_a, gx, gy in ((0.0, b_x, b_y), (0.0, c_x, c_y), (az, z_x, z_y))]
 
 
 def _pixels(corners: NDArray, width: int, height: int) -> Iterator[tuple[NDArray, NDArray, NDArray]]:

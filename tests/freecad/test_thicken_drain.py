@@ -57,7 +57,7 @@ class HollowBox(DocumentCase):
         self.solid.Placement = App.Placement(App.Vector(5, 0, 0), App.Rotation(App.Vector(0, 1, 0), 90))
         feature = self.drill(3)
         self.assert_drilled(feature, self.volume - 2 * prism(3))
-        self.assertEqual(feature.Placement, self.solid.Placement)
+        self.assert_same_place(feature.Placement, self.solid.Placement)
         down = self.solid.Placement.Rotation.multVec(feature.HoleAxes[0])
         self.assertTrue(down.isEqual(App.Vector(0, 0, -1), 1e-9))
 

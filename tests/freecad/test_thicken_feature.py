@@ -157,7 +157,7 @@ class Place(DocumentCase):
         source.Placement = self.PLACEMENT
         feature = ThickenWorkbench.make_thicken(self.doc, source, thickness=1)
         self.assert_solid(feature)
-        self.assertEqual(feature.Placement, self.PLACEMENT)
+        self.assert_same_place(feature.Placement, self.PLACEMENT)
         self.assertTrue(keeps(corners(feature.Mesh), corners(source.Mesh)))
         source.Placement = App.Placement()
         self.doc.recompute()
@@ -173,4 +173,4 @@ class Place(DocumentCase):
         feature = ThickenWorkbench.make_thicken(self.doc, source, thickness=1)
         self.assert_solid(feature)
         self.assertEqual(feature.getParentGeoFeatureGroup(), part)
-        self.assertEqual(feature.getGlobalPlacement(), source.getGlobalPlacement())
+        self.assert_same_place(feature.getGlobalPlacement(), source.getGlobalPlacement())

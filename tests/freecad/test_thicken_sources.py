@@ -76,7 +76,7 @@ class Shapes(DocumentCase):
         self.doc.recompute()
         self.assert_solid(feature)
         self.assertAlmostEqual(feature.Volume.Value, 200, places=6)
-        self.assertEqual(feature.Placement, PLACEMENT)
+        self.assert_same_place(feature.Placement, PLACEMENT)
 
     def test_exchanged_shape_recomputes(self):
         part = self.add_shape(Part.makeBox(10, 10, 10))
