@@ -44,15 +44,13 @@ def surface_of(feature: Any) -> tuple[Any, Any]:
     """The vertices and triangles that a recompute of `feature` thickens."""
     from . import params
 
-    return surface_arrays(feature.Source, **params.choice(feature))
+    with runs.refusing(feature.Source):
+        return surface_arrays(feature.Source, **params.choice(feature))
 
 
-def solid_of(source: Any, arguments: dict[str, Any], **choice: Any) -> tuple[Any, Any]:
-    """Return the solid of what is chosen of `source` as a FreeCAD mesh, in the source's own coordinates,
-    and as a ThickenedMesh.
-
-    `choice`: faces, facets and deflection, as for surface_arrays(). Raises RefusedError with
-    sentences for the user.
+def solid_of(source: Any, surface: tuple[Any, Any], arguments: dict[str, Any]) -> tuple[Any, Any]:
+    """Return the solid of `surface`, of `source`, as a FreeCAD mesh in the source's own coordinates, and as a
+    ThickenedMesh. Raises RefusedError with sentences for the user.
     """
     if not arguments["thickness"] > 0:
         raise RefusedError("Thickness is 0 mm. Set it to more than that.")
@@ -61,7 +59,15 @@ def solid_of(source: Any, arguments: dict[str, Any], **choice: Any) -> tuple[Any
         from .mesh_io import mesh_from_arrays
 
         native.load()
-        surface = surface_arrays(source, **choice)
         limits = {"threads": runs.threads(), "memory": runs.memory()}
         solid = runs.run(lambda context: precomputed.thicken(surface, arguments, **limits, context=context))
         return mesh_from_arrays(solid.vertices, solid.triangles), solid
+
+
+def fingerprint(surface: tuple[Any, Any], arguments: dict[str, Any], mesh: Any) -> str:
+    """What a solid was made from, and what it is, as a short text: as long as both are the same, so is the other."""
+    from . import __version__, precomputed
+    from .mesh_io import arrays_from_mesh
+
+    made_from = precomputed.key(surface, {**arguments, "version": __version__})
+    return f"{made_from} {precomputed.key(arrays_from_mesh(mesh), {})}"

@@ -28,10 +28,16 @@ class ThickenFeature(StatelessProxy):
         """Compute the solid. When that is refused, nothing of an earlier one stays behind."""
         try:
             require_source(obj.Source, obj)
-            mesh, solid = build.solid_of(obj.Source, params.arguments(obj), **params.choice(obj))
+            surface, arguments = build.surface_of(obj), params.arguments(obj)
+            if obj.Valid and obj.ComputedFor == build.fingerprint(surface, arguments, obj.Mesh):
+                # Only its place has changed, or an edit was undone.
+                obj.Placement = placement_in_parent_of(obj, obj.Source)
+                return
+            mesh, solid = build.solid_of(obj.Source, surface, arguments)
         except BaseException:
             self.clear(obj)
             raise
+        obj.ComputedFor = build.fingerprint(surface, arguments, mesh)
         mesh.Placement = placement_in_parent_of(obj, obj.Source)
         obj.Mesh = mesh  # takes over the Placement as well
         params.show_solid(obj, solid)

@@ -96,6 +96,10 @@ RESULTS = [
 # Lengths of the runs of triangles of one region: region, count, region, count, …
 _REGION_RUNS = Property("RegionRuns", "App::PropertyIntegerList", "Internal", "Regions of the triangles", (),
                         _READ_ONLY | _HIDDEN | _OUTPUT)  # fmt: skip
+# build.fingerprint() of the solid that is there.
+_COMPUTED_FOR = Property("ComputedFor", "App::PropertyString", "Internal", "What the solid was made from", "",
+                         _READ_ONLY | _HIDDEN | _OUTPUT)  # fmt: skip
+
 
 def _name_qualities(obj: Any) -> None:
     """Schema 1 had no draft and no fine; what is the standard was called automatic."""
@@ -110,7 +114,7 @@ MIGRATIONS: dict[int, Callable[[Any], None]] = {1: _name_qualities}
 
 def ensure_properties(obj: Any) -> None:
     """Add the properties that `obj` lacks; idempotent."""
-    for prop in [*INPUTS, *RESULTS, _REGION_RUNS]:
+    for prop in [*INPUTS, *RESULTS, _REGION_RUNS, _COMPUTED_FOR]:
         if prop.name not in obj.PropertiesList:
             obj.addProperty(prop.type, prop.name, prop.group, prop.doc, prop.attributes)
             if prop.start is not None:
@@ -227,5 +231,5 @@ def show_report(obj: Any, report: dict[str, Any]) -> None:
 
 def clear_results(obj: Any) -> None:
     """Set the results to what a feature without a solid has."""
-    for prop in [*RESULTS, _REGION_RUNS]:
+    for prop in [*RESULTS, _REGION_RUNS, _COMPUTED_FOR]:
         setattr(obj, prop.name, prop.start)

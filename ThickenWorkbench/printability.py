@@ -14,8 +14,8 @@ import FreeCAD as App
 
 from . import runs
 from .numbers import number, percent, place
-from .placed import placed_solid
-from .sources import DEFAULT_DEFLECTION, kind_of
+from .placed import linked_and_placement, placed_floats, placed_solid
+from .sources import DEFAULT_DEFLECTION, kind_of, surface_arrays
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -101,7 +101,8 @@ def report_step(
     vertices, triangles = placed_solid(obj, deflection)
     runs.require_room(len(triangles))
     extension, label, threads = native.load(), obj.Label, runs.threads()
-    walls, left = wall_step(obj, vertices, triangles), _pool_step(obj, up)
+    linked, placement = linked_and_placement(obj)
+    walls, left = wall_step(linked, vertices, triangles), _pool_step(linked, placement, up)
 
     def step(context: Any) -> Measured:
         inspection = extension.inspect(vertices, triangles, threads=threads, context=context)
@@ -115,8 +116,8 @@ def report_step(
     return step
 
 
-def _pool_step(obj: Any, up: NDArray) -> runs.Step[list[dict[str, Any]]]:
-    """For the resin that stays below the drain holes of `obj`, if it has any."""
+def _pool_step(obj: Any, placement: Any, up: NDArray) -> runs.Step[list[dict[str, Any]]]:
+    """For the resin that stays below the drain holes of `obj`, if it has any; it stands at `placement`."""
     from . import native
     from .drain_places import cavities_of
     from .drain_pools import HoleEnds, pools
@@ -124,8 +125,8 @@ def _pool_step(obj: Any, up: NDArray) -> runs.Step[list[dict[str, Any]]]:
     if not getattr(obj, "HoleCount", 0) or kind_of(obj.Source) != "mesh" or obj.Source.Mesh.CountFacets == 0:
         return lambda context: []
     extension, threads, diameter = native.load(), runs.threads(), obj.Diameter.Value
-    vertices, triangles = placed_solid(obj.Source)
-    placement = obj.getGlobalPlacement()
+    local, triangles = surface_arrays(obj.Source)  # a drained solid has the coordinates of its source
+    vertices = placed_floats(local, placement)
     starts = [np.array(placement.multVec(place)) for place in obj.HolePlaces]
     ways = [np.array(placement.Rotation.multVec(axis)) for axis in obj.HoleAxes]
     ends = [HoleEnds(start, start + length * way) for start, way, length in zip(starts, ways, obj.HoleLengths)]

@@ -42,6 +42,11 @@ def solids() -> list[Any]:
     return [obj for obj in members if is_mesh(obj) or is_shape(obj)]
 
 
+def printables() -> list[Any]:
+    """solids(), and links to such: they can be measured and written where the link is."""
+    return solids() + links()
+
+
 def links() -> list[Any]:
     """The selected links to objects with a mesh or a shape."""
     found = [selected.Object for selected in _selection() if selected.Object.isDerivedFrom("App::Link")]

@@ -188,7 +188,7 @@ class ReportCommand(PanelCommand):
     )
 
     def targets(self) -> list[Any]:
-        return chosen.solids()[:1]
+        return chosen.printables()[:1]
 
 
 class ExportCommand(Command):
@@ -202,7 +202,7 @@ class ExportCommand(Command):
     )
 
     def targets(self) -> list[Any]:
-        return chosen.solids()[:1]
+        return chosen.printables()[:1]
 
     def activate(self) -> None:
         from .exporting import export

@@ -10,6 +10,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from .. import preferences, runs
+from ..placed import linked_and_placement
 from ..printability import Measured, report_step, write_measured
 from ..sources import bound_box
 from . import macro, messages
@@ -43,6 +44,7 @@ class ReportPanel(Panel):
         self._timer.timeout.connect(self._compute)
         self.document = solid.Document
         self.objects = [solid]
+        self._diagonal = bound_box(linked_and_placement(solid)[0]).DiagonalLength
         self._view = view_of(self.document)
         self._overlay = over_view(self._view)
         self._build()
@@ -56,7 +58,7 @@ class ReportPanel(Panel):
     def go(self, link: Any) -> None:
         """Go to the place that a link of the summary names."""
         place = place_of(link.toString())
-        go_to(self._view, place, _AROUND * bound_box(self.solid).DiagonalLength)
+        go_to(self._view, place, _AROUND * self._diagonal)
         self._overlay.show(points([place], preferences.colour("ColorDefect"), 12.0))
 
     def _build(self) -> None:

@@ -808,6 +808,10 @@
         <source>“{label}”</source>
         <translation>„{label}“</translation>
     </message>
+    <message>
+        <source>“{label}” is a link that scales. Make a copy of “{linked}” in that size instead.</source>
+        <translation>„{label}“ ist eine Verknüpfung mit Skalierung. Bitte stattdessen eine Kopie von „{linked}“ in dieser Größe machen.</translation>
+    </message>
 </context>
 <context>
     <name>ThickenPreferences</name>

@@ -808,6 +808,10 @@
         <source>“{label}”</source>
         <translation>“{label}”</translation>
     </message>
+    <message>
+        <source>“{label}” is a link that scales. Make a copy of “{linked}” in that size instead.</source>
+        <translation>“{label}” 是带缩放的链接。请改为创建该尺寸的 “{linked}” 副本。</translation>
+    </message>
 </context>
 <context>
     <name>ThickenPreferences</name>

@@ -74,6 +74,7 @@ class SaveAndReopen(DocumentCase):
         feature = self.make()
         before = mesh_io.arrays_from_mesh(feature.Mesh)
         feature = self.reopened()
+        feature.ComputedFor = ""
         feature.touch()
         self.doc.recompute()
         for array, array_before in zip(mesh_io.arrays_from_mesh(feature.Mesh), before):

@@ -86,7 +86,7 @@ class HollowBox(DocumentCase):
         self.assertAlmostEqual(pool["lowest_place_mm"][2], 2, places=5)
         self.assertFalse(facts["printable"])
         self.assertRegex(" ".join(facts["warnings"]), "1.66 mL of resin stay")
-        self.assertEqual(ThickenWorkbench.printability(feature, direction=(0, -1, 0))["pools"], [])
+        self.assertEqual(ThickenWorkbench.printability(feature, direction=(0, 1, 0))["pools"], [])
 
     def test_edges_of_holes_are_no_thin_walls(self):
         feature = self.drill(3, places=[(10, 0, 4)])

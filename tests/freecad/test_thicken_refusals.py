@@ -132,7 +132,7 @@ class Refusals(DocumentCase):
     def test_missing_extension(self):
         with tempfile.TemporaryDirectory() as empty, mock.patch.object(native, "_loaded", None):
             with mock.patch.dict(os.environ, {native.DIRECTORY_VARIABLE: empty}):
-                self.feature.touch()
+                self.feature.Thickness = 0.7
                 self.doc.recompute()
                 self.assert_refused(self.feature, "does not exist", native.file_name())
         self.feature.touch()

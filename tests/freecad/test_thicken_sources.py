@@ -118,7 +118,7 @@ class Shapes(DocumentCase):
         feature = ThickenWorkbench.make_thicken(self.doc, box, 1, faces=["Face6"])
         box.Shape = Part.makeSphere(3)
         self.doc.recompute()
-        self.assert_refused(feature, "Face6", "1 faces")
+        self.assert_refused(feature, "Face6", "the last one is Face1")
 
     def test_faces_of_an_earlier_source_are_left_aside(self):
         feature = ThickenWorkbench.make_thicken(self.doc, self.add_shape(Part.makeBox(9, 9, 9)), 1, faces=["Face6"])
