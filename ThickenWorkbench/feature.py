@@ -97,12 +97,7 @@ def make_thicken(
     several = isinstance(source, (list, tuple))
     sources = list(source) if several else [source]
     choice = (list(faces), [int(facet) for facet in facets], deflection)
-    if len(sources) > 1 and (choice[0] or choice[1]):
-        raise ValueError("faces and facets choose a part of one source; several were given")
-    if output not in OUTPUTS:
-        raise ValueError(f"output must be one of {', '.join(OUTPUTS)}, not {output!r}")
-    for each in sources:
-        require_source(each)
+    _require_sense(sources, choice, output)
     inputs = dict(
         side=side, method=method, repair=repair, smooth=smooth, quality=quality,
         cell=cell, resolution=resolution, tolerance=tolerance,
@@ -124,6 +119,15 @@ def make_thicken(
             show_instead_of(add_part_solid(doc, feature), feature)
     doc.recompute()
     return made if several else made[0]
+
+
+def _require_sense(sources: list[Any], choice: Any, output: str) -> None:
+    if len(sources) > 1 and (choice[0] or choice[1]):
+        raise ValueError("faces and facets choose a part of one source; several were given")
+    if output not in OUTPUTS:
+        raise ValueError(f"output must be one of {', '.join(OUTPUTS)}, not {output!r}")
+    for each in sources:
+        require_source(each)
 
 
 def _add_feature(doc: Any, source: Any, name: str, thickness: Any, choice: Any, inputs: dict[str, Any]) -> Any:

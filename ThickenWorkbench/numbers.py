@@ -18,7 +18,8 @@ def number(value: float, digits: int = 3) -> str:
         return "–"
     size = math.floor(math.log10(abs(value))) if value else 0
     places = min(max(digits - 1 - size, 0), _MOST_PLACES)
-    text = f"{round(value, digits - 1 - size) + 0.0:,.{places}f}"
+    rounded = round(value, min(digits - 1 - size, _MOST_PLACES)) + 0.0  # not −0
+    text = f"{rounded:,.{places}f}"
     return _localised(text.rstrip("0").rstrip(".") if places else text)
 
 

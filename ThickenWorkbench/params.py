@@ -81,7 +81,7 @@ RESULTS = [
             "Deviation from the thickness, as a share of it, that 99 % of the inner shell stays below"),
     _result("ShellErrorMean", "Float", "shell_error.mean", "Mean deviation, as a share of the thickness"),
     _result("ShellErrorMax", "Float", "shell_error.max", "Largest deviation, as a share of the thickness"),
-    _result("ThinnestWall", "Length", "thinnest_wall.mm", "Thickness at the thinnest place"),
+    _result("ThinnestWall", "Length", "thinnest_wall.mm", "Least distance between the surface and its shell"),
     _result("ThinnestPlace", "Vector", "thinnest_wall.place_mm", "That place, without the Placement", (0, 0, 0)),
     _result("ThinShare", "Float", "thin_share", "Share of the mesh's area with less than 0.9 of the thickness"),
     _result("TriangleCount", "Integer", "output.triangles", "Triangles of the solid"),

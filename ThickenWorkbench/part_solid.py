@@ -74,8 +74,10 @@ def part_solid(vertices: ArrayLike, triangles: ArrayLike, merge_coplanar: bool =
         if found["status"] != "ok":
             reasons = " ".join(defect["sentence"].capitalize() + "." for defect in found["defects"])
             raise RefusedError(f"The mesh bounds no solid. {reasons}")
+        runs.go_on(context)
         make = merged_faces if merge_coplanar else triangle_faces
         points, edges, faces, tolerance = make(points, corners, found["shell_of_triangle"], _TOLERANCE)
+        runs.go_on(context)
         return brep_bytes(points, edges, faces, shells_of_solids(found["shells"]), tolerance)
 
     content = runs.run(step)

@@ -70,17 +70,17 @@ def write_report(
     and the facts are written beside it, to the same name with .json.
     """
     found = runs.run(report_step(obj, direction, minimum_wall, deflection=deflection))
-    runs.run(lambda _: write_measured(found, path))
+    runs.run(lambda context: write_measured(found, path, context))
     return found.facts
 
 
-def write_measured(found: Measured, path: str | os.PathLike[str]) -> None:
-    """Write what report_step() has measured, as write_report() does."""
+def write_measured(found: Measured, path: str | os.PathLike[str], context: Any = None) -> None:
+    """Write what report_step() has measured, as write_report() does; nothing when `context` is cancelled before."""
     target = Path(path)
     if target.suffix.lower() != ".json":
         from .report_page import page
 
-        target.write_text(page(found), encoding="utf-8")
+        target.write_text(page(found, context), encoding="utf-8")
     target.with_suffix(".json").write_text(json.dumps(found.facts, indent=2, ensure_ascii=False) + "\n", encoding="utf-8")
 
 

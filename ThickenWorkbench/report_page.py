@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Iterator
 import FreeCAD as App
 import numpy as np
 
+from . import runs
 from .numbers import count, language, number, percent, place
 from .picture import draw, view_along
 
@@ -36,8 +37,11 @@ figure { margin: 0; max-width: 32rem; } figure img { width: 100%; } figcaption {
 """
 
 
-def page(measured: Measured) -> str:
-    """The HTML text, in the language of FreeCAD's windows; it needs no other file."""
+def page(measured: Measured, context: Any = None) -> str:
+    """The HTML text, in the language of FreeCAD's windows; it needs no other file.
+
+    Raises runs.CancelledError once `context` is cancelled.
+    """
     facts = measured.facts
     good = translate("Thicken", "Nothing stands against printing it.")
     verdict = (
@@ -51,7 +55,7 @@ def page(measured: Measured) -> str:
     return (
         f'<!DOCTYPE html>\n<html lang="{language()}"><head><meta charset="utf-8"><title>{title}</title>'
         f"<style>{_STYLE}</style></head><body>\n<h1>{title}</h1>\n{verdict}\n<table>{rows}</table>\n"
-        f'<h2>{pictures}</h2>\n<div class="pictures">{_pictures_if_possible(measured)}</div>\n</body></html>\n'
+        f'<h2>{pictures}</h2>\n<div class="pictures">{_pictures_if_possible(measured, context)}</div>\n</body></html>\n'
     )
 
 
@@ -108,38 +112,43 @@ def _resin_rows(facts: dict[str, Any]) -> Iterator[tuple[str, str]]:
         yield translate("Thicken", "Stays below holes"), text
 
 
-def _pictures_if_possible(measured: Measured) -> str:
+def _pictures_if_possible(measured: Measured, context: Any) -> str:
     try:
-        return _pictures(measured)
+        return _pictures(measured, context)
     except ImportError as error:  # the facts are worth a page without them
         none = translate("Thicken", "There are none: {reason}. They need Pillow.")
         return f"<p>{escape(none.format(reason=error))}</p>"
 
 
-def _pictures(measured: Measured) -> str:
+def _pictures(measured: Measured, context: Any) -> str:
     vertices, triangles, up = measured.vertices, measured.triangles, np.array(measured.facts["direction"])
     used = vertices[np.unique(triangles)]
     middle = (used.min(axis=0) + used.max(axis=0)) / 2
     above, below, side = view_along(up, 35, 25), view_along(up, 35, -35), view_along(up, 0, 0)
     plain = np.tile(np.array(_PLAIN, float), (len(triangles), 1))
-    views = [(draw(vertices, triangles, plain, above), translate("Thicken", "From above."))]
+    # Colours, view and caption of each; None: not cut.
+    views = [(plain, above, None, translate("Thicken", "From above."))]
     if measured.facts["valid"]:
         overhangs = np.where(measured.overhanging[:, None], _OVERHANG, plain)
         trapped = np.where(measured.in_cavity[:, None], _TRAPPED, plain)
         least = measured.facts["minimum_wall_mm"]
+        walls = translate("Thicken", "Walls: {thin} below {least} mm, {thick} {most} mm and more, {plain} not measured.")
         views += [
-            (draw(vertices, triangles, overhangs, below), _caption(translate("Thicken", "From below. {colour} needs support."), colour=_OVERHANG)),
-            (draw(vertices, triangles, trapped, side, cut_at=middle),
+            (overhangs, below, None,
+             _caption(translate("Thicken", "From below. {colour} needs support."), colour=_OVERHANG)),
+            (trapped, side, middle,
              _caption(translate("Thicken", "Cut through the middle. {colour} closed cavities."), colour=_TRAPPED)),
-            (draw(vertices, triangles, _wall_colours(measured.walls, least), above),
-             _caption(translate("Thicken", "Walls: {thin} below {least} mm, {thick} {most} mm and more, {plain} not measured."),
-                      thin=_THIN, thick=_THICK, plain=_PLAIN, least=number(least), most=number(3 * least))),
+            (_wall_colours(measured.walls, least), above, None,
+             _caption(walls, thin=_THIN, thick=_THICK, plain=_PLAIN, least=number(least), most=number(3 * least))),
         ]  # fmt: skip
-    return "\n".join(
-        f'<figure><img alt="" src="data:image/png;base64,{base64.b64encode(content).decode()}">'
-        f"<figcaption>{caption}</figcaption></figure>"
-        for content, caption in views
-    )
+    figures = []
+    for colours, view, cut_at, caption in views:
+        runs.go_on(context)
+        content = base64.b64encode(draw(vertices, triangles, colours, view, cut_at=cut_at)).decode()
+        figures.append(
+            f'<figure><img alt="" src="data:image/png;base64,{content}"><figcaption>{caption}</figcaption></figure>'
+        )
+    return "\n".join(figures)
 
 
 def _caption(text: str, **blanks: Any) -> str:

@@ -27,6 +27,13 @@ translate = App.Qt.translate
 Result = TypeVar("Result")
 Step = Callable[["RunContext"], Result]
 
+
+class CancelledError(RefusedError):
+    """A step was stopped outside of the library, which has an error of its own for that."""
+
+    code = "cancelled"
+
+
 _running: list[Any] = []
 _lock = threading.Lock()
 
@@ -87,6 +94,12 @@ def tracked(context: RunContext) -> Iterator[None]:
     finally:
         with _lock:
             _running.remove(context)
+
+
+def go_on(context: RunContext | None) -> None:
+    """Raise CancelledError where `context` was cancelled; for steps that compute in Python."""
+    if context is not None and context.cancelled:
+        raise CancelledError("The computation was cancelled.")
 
 
 def any_running() -> bool:

@@ -131,7 +131,10 @@ class ReportPanel(Panel):
         if not name:
             return
         try:
-            runs.run(lambda _: write_measured(self.measured, name))
+            runs.run(lambda context: write_measured(self.measured, name, context))
+        except runs.CancelledError:
+            self.saved.setText(stopped_text())
+            return
         except OSError as error:
             messages.warn(translate("Thicken", "Nothing was written"), str(error))
             return

@@ -275,6 +275,8 @@ class Stop(GuiCase):
         self.press("Ok")
         wait_until(lambda: self.child(panel, "Progress").value() > 0, "it has begun")
         self.assertTrue(self.child(panel, "Stop").isVisible())
+        for name in ("Output", "Whole", "Quality", "Grid"):
+            self.assertFalse(self.child(panel, name).isEnabled(), name)
         return source, panel
 
     def test_a_long_run_stops_within_a_second(self):
@@ -287,6 +289,8 @@ class Stop(GuiCase):
         self.assertIn("Stopped", self.child(panel, "Status").text())
         self.assertFalse(self.child(panel, "Stop").isVisible())
         self.assertTrue(self.child(panel, "Thickness").isEnabled())
+        self.assertTrue(self.child(panel, "Output").isEnabled())
+        self.assertFalse(self.child(panel, "Whole").isEnabled(), "no part is chosen")
         self.press("Cancel")
         self.wait_closed()
         self.assertEqual(self.doc.Objects, [source])

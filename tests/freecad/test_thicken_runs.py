@@ -12,7 +12,7 @@ from ThickenWorkbench import native, preferences, runs
 from ThickenWorkbench.check_surface import check_step
 from ThickenWorkbench.drain_holes import drill_step
 from ThickenWorkbench.export import export_step
-from ThickenWorkbench.printability import report_step
+from ThickenWorkbench.printability import report_step, write_measured
 from ThickenWorkbench.repair_feature import repair_step
 from ThickenWorkbench.sources import RefusedError
 from ThickenWorkbench.thickness_map import map_step
@@ -73,6 +73,14 @@ class Steps(DocumentCase):
                 with self.assertRaises(extension.ThickenError) as caught:
                     make()(context)
                 self.assertEqual(caught.exception.code, "cancelled")
+
+    def test_a_report_is_not_written_once_it_is_cancelled(self):
+        with runs.started() as context:
+            found = report_step(self.solid)(context)
+            context.cancel()
+            with self.assertRaises(runs.CancelledError):
+                write_measured(found, self.folder / "solid.html", context)
+        self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_all_of_them_obey_the_memory_limit(self):
         self.addCleanup(preferences.put, "MemoryMiB", 0)
