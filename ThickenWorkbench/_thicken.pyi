@@ -60,7 +60,12 @@ def inspect(
     vertices: ArrayLike, triangles: ArrayLike, *, threads: int = 0, context: RunContext | None = None
 ) -> dict[str, Any]: ...
 def wall_thickness(
-    vertices: ArrayLike, triangles: ArrayLike, *, threads: int = 0, context: RunContext | None = None
+    vertices: ArrayLike,
+    triangles: ArrayLike,
+    *,
+    edges: ArrayLike | None = None,
+    threads: int = 0,
+    context: RunContext | None = None,
 ) -> NDArray[np.float64]: ...
 def closest_points(
     vertices: ArrayLike, triangles: ArrayLike, points: ArrayLike, *, context: RunContext | None = None

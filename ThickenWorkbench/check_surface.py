@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Iterable, NamedTuple, Sequence
 import FreeCAD as App
 import numpy as np
 
+from . import runs
 from .placed import placed_points
 from .sources import DEFAULT_DEFLECTION, kind_of, surface_arrays
 
@@ -19,7 +20,7 @@ class SurfaceDefect(NamedTuple):
     """One kind of defect of a surface: docs/errors.md lists the codes. Places are global, mm."""
 
     code: str
-    sentence: str  #: what is wrong, where in the surface's own coordinates, and what to do
+    sentence: str  #: what is wrong, where in the surface's own coordinates and in the document, what to do
     count: int  #: of all that were found; the lists below hold at most 1000
     place: App.Vector  #: of the first
     facets: list[int]  #: indices into the source's facets (into the tessellation of a shape)
@@ -36,26 +37,40 @@ def check_surface(
     An empty list means that it can be thickened. Raises sources.RefusedError where there is nothing
     to check, and ImportError without the extension.
     """
+    return runs.run(check_step(source, faces=faces, facets=facets, deflection=deflection))
+
+
+def check_step(
+    source: Any, *, faces: Sequence[str] = (), facets: Iterable[int] = (), deflection: float = DEFAULT_DEFLECTION
+) -> runs.Step[list[SurfaceDefect]]:
+    """The step of check_surface(): nothing of it touches `source` any more."""
     from . import native
 
     chosen = sorted({int(facet) for facet in facets})
     vertices, triangles = surface_arrays(source, faces=faces, facets=chosen, deflection=deflection)
-    extension = native.load()
-    found = extension.check(vertices, triangles)
-    points, corners = extension.weld(vertices, triangles)
-    placed = placed_points(points, source.getGlobalPlacement())
+    runs.require_room(len(triangles))
+    extension, threads, placement = native.load(), runs.threads(), source.getGlobalPlacement()
     original = np.array(chosen) if chosen and kind_of(source) == "mesh" else np.arange(len(triangles))
-    return [_located(defect, placed, corners, original, source) for defect in found["defects"]]
+
+    def step(context: Any) -> list[SurfaceDefect]:
+        found = extension.check(vertices, triangles, threads=threads, context=context)
+        points, corners = extension.weld(vertices, triangles)
+        placed = placed_points(points, placement)
+        return [_located(defect, placed, corners, original, placement) for defect in found["defects"]]
+
+    return step
 
 
-def _located(defect: dict[str, Any], points: NDArray, corners: NDArray, original: NDArray, source: Any) -> SurfaceDefect:
+def _located(defect: dict[str, Any], points: NDArray, corners: NDArray, original: NDArray, placement: Any) -> SurfaceDefect:
     ids = np.array(defect["triangles"], np.int64)
     edges = np.array(defect["edges"], np.int64).reshape(-1, 2)
-    place = source.getGlobalPlacement().multVec(App.Vector(*(x or 0.0 for x in defect["place_mm"])))
-    sentence = defect["sentence"]
+    place = placement.multVec(App.Vector(*(x or 0.0 for x in defect["place_mm"])))
+    parts = [defect["sentence"]]
+    if not placement.isIdentity() and (len(ids) or len(edges) or defect["vertices"]):
+        parts.append(runs.in_document(placement, defect["place_mm"]))
     return SurfaceDefect(
         code=defect["code"],
-        sentence=sentence[:1].upper() + sentence[1:] + ".",
+        sentence=runs.as_sentences(parts),
         count=defect["count"],
         place=place,
         facets=original[ids].tolist(),

@@ -11,13 +11,17 @@ from typing import TYPE_CHECKING, Any, Iterable, NamedTuple
 import FreeCAD as App
 import Mesh
 
+from . import runs
 from .beside import placement_in_parent_of, put_beside, show_instead_of
+from .numbers import number
 from .proxy import StatelessProxy, add_properties
 from .source_observer import observe_sources
 from .sources import RefusedError, kind_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
+
+translate = App.Qt.translate
 
 _RESULT = 1 | 8  # read-only, and changing it does not touch the document
 _HIDDEN = 4
@@ -42,9 +46,14 @@ _RESULTS = [
 ]
 # What a plug is made from: the corners of each cross-section, one after the other, and from where to
 # where each hole has its wall all around.
-_OUTLINES = [("App::PropertyVectorList", "Outlines", ""), ("App::PropertyFloatList", "Walled", "")]
+_OUTLINES = [("App::PropertyVectorList", "Outlines", ""), ("App::PropertyFloatList", "Walled", ""),
+             ("App::PropertyIntegerList", "RegionRuns", "Regions of the triangles")]  # fmt: skip
 
 SIDES = 24
+
+# Farther from the surface than this share of a hole's diameter, the middle of a triangle is within the hole.
+_ON_SURFACE = 1e-3
+_WALL = 2  # Region.WALL
 
 
 class _Hole(NamedTuple):
@@ -71,21 +80,25 @@ class DrainHolesFeature(StatelessProxy):
 
     def execute(self, obj: Any) -> None:
         """Drill the holes. When that is refused, nothing of an earlier solid stays behind."""
+        from .regions import runs_of
+
         try:
             _require_solid(obj.Source, obj)
-            mesh, holes, facts, warnings = _drilled(obj)
+            mesh, made = _drilled(obj)
         except BaseException:
             self.clear(obj)
             raise
         mesh.Placement = placement_in_parent_of(obj, obj.Source)
         obj.Mesh = mesh  # takes over the Placement as well
-        _show(obj, holes, facts, warnings)
-        for warning in warnings:
+        _show(obj, made.holes, made.facts, made.warnings)
+        obj.RegionRuns = runs_of(made.region)
+        for warning in made.warnings:
             App.Console.PrintWarning(f"{obj.Label}: {warning}\n")
 
     def clear(self, obj: Any) -> None:
         obj.Mesh = Mesh.Mesh()
         _show(obj, [], None, [])
+        obj.RegionRuns = []
 
 
 class PlugFeature(StatelessProxy):
@@ -209,50 +222,81 @@ def _require_solid(source: Any, feature: Any = None) -> None:
         raise RefusedError(f"“{label}” depends on “{feature.Label}”. Choose another Source.")
 
 
-def _drilled(obj: Any) -> tuple[Any, list[_Hole], dict[str, Any], list[str]]:
-    """The mesh, the holes, what is known of the solid, and warnings."""
-    try:
-        from . import native
-        from .drill_plan import drill_cavities, drill_places
-        from .mesh_io import MeshTransferError, arrays_from_mesh, mesh_from_arrays
+class _Drilled(NamedTuple):
+    vertices: NDArray
+    triangles: NDArray
+    region: NDArray  #: of each triangle, a value of Region: the wall of a hole is wall
+    holes: list[_Hole]
+    facts: dict[str, Any]  #: what is known of the solid
+    warnings: list[str]
 
-        extension = native.load()
-    except ImportError as error:
-        raise RefusedError(str(error)) from None
-    if not obj.Diameter.Value > 0:
+
+def _drilled(obj: Any) -> tuple[Any, _Drilled]:
+    """The mesh, and how it was made."""
+    with runs.refusing(obj.Source):
+        from .mesh_io import mesh_from_arrays
+
+        made = runs.run(drill_step(
+            obj.Source, obj.Diameter.Value, obj.Count, obj.Direction, [tuple(place) for place in obj.Places]
+        ))  # fmt: skip
+        return mesh_from_arrays(made.vertices, made.triangles), made
+
+
+def drill_step(source: Any, diameter: float, count: int, direction: Any, places: list[Any]) -> runs.Step[_Drilled]:
+    """For the holes of a feature with these inputs, `places` in the source's own coordinates; nothing of it
+    touches `source` any more."""
+    import numpy as np
+
+    from . import native
+    from .mesh_io import arrays_from_mesh
+    from .regions import facet_regions
+
+    extension, threads = native.load(), runs.threads()
+    if not diameter > 0:
         raise RefusedError("Diameter is 0 mm. Set it to more than that.")
-    if not obj.Direction.Length > 0:
+    if not direction.Length > 0:
         raise RefusedError("Direction is 0. Set it to the direction in which the part is printed.")
-    try:
-        vertices, triangles = arrays_from_mesh(obj.Source.Mesh)
-        if len(triangles) == 0:
-            raise RefusedError(f"“{obj.Source.Label}” has no mesh. Mend that first.")
-        vertices = vertices.astype(float)
-        if obj.Places:
-            vertices, triangles, found = drill_places(
-                extension, vertices, triangles, [tuple(place) for place in obj.Places], obj.Diameter.Value, SIDES
-            )
-            warnings: list[str] = []
+    singles, triangles = arrays_from_mesh(source.Mesh)
+    if len(triangles) == 0:
+        raise RefusedError(f"“{source.Label}” has no mesh. Mend that first.")
+    runs.require_room(len(triangles))
+    vertices = singles.astype(float)
+    regions = facet_regions(source) if hasattr(source, "RegionRuns") else np.empty(0, np.uint8)
+    if len(regions) != len(triangles):
+        regions = np.zeros(len(triangles), np.uint8)  # all of it is the part as it was given
+    up = tuple(source.getGlobalPlacement().Rotation.inverted().multVec(direction).normalize())
+
+    def step(context: Any) -> _Drilled:
+        from .drill_plan import Drill, drill_cavities, drill_places
+
+        drill = Drill(extension, diameter, SIDES, {"threads": threads, "context": context})
+        if places:
+            points, corners, found, warnings = drill_places(drill, vertices, triangles, up, places)
         else:
-            up = obj.Source.getGlobalPlacement().Rotation.inverted().multVec(obj.Direction)
-            vertices, triangles, found, warnings = drill_cavities(
-                extension, vertices, triangles, tuple(up.normalize()), obj.Diameter.Value, obj.Count, SIDES
-            )
-        facts = extension.inspect(vertices, triangles)
+            points, corners, found, warnings = drill_cavities(drill, vertices, triangles, up, count)
+        region = _regions(drill, vertices, triangles, regions, points, corners)
+        facts = drill.inspect(points, corners)
         trapped = [shell["volume_mm3"] / 1000 for shell in facts["shells"] if shell["cavity"]]
         if trapped:
-            volumes = ", ".join(f"{volume:.3g}" for volume in sorted(trapped, reverse=True))
-            warnings.append(f"{len(trapped)} cavities stay closed, of {volumes} mL.")
-        holes = [
-            _Hole(hole["entry"], hole["axis"], App.Vector(*hole["exit"]).distanceToPoint(App.Vector(*hole["entry"])),
-                  hole["outline"], hole["walled"])
-            for hole in found
-        ]  # fmt: skip
-        return mesh_from_arrays(vertices, triangles), holes, facts, warnings
-    except extension.ThickenError as error:
-        raise RefusedError(str(error)) from None
-    except MeshTransferError as error:
-        raise RefusedError(str(error)) from None
+            volumes = ", ".join(number(volume) for volume in sorted(trapped, reverse=True))
+            closed = translate("Thicken", "Cavities that stay closed: {count}, of {volumes} mL.")
+            warnings.append(closed.format(count=len(trapped), volumes=volumes))
+        return _Drilled(points, corners, region, [_hole_of(hole) for hole in found], facts, warnings)
+
+    return step
+
+
+def _regions(drill: Any, vertices: NDArray, triangles: NDArray, regions: NDArray, points: NDArray, corners: NDArray) -> NDArray:
+    """Of each triangle of the drilled solid: that of the surface it lies in, or WALL for the wall of a hole."""
+    near = drill.extension.closest_points(vertices, triangles, points[corners].mean(axis=1), context=drill.run["context"])
+    result = regions[near["triangle"]]
+    result[near["distance"] > _ON_SURFACE * drill.diameter] = _WALL
+    return result
+
+
+def _hole_of(hole: dict[str, Any]) -> _Hole:
+    length = App.Vector(*hole["exit"]).distanceToPoint(App.Vector(*hole["entry"]))
+    return _Hole(hole["entry"], hole["axis"], length, hole["outline"], hole["walled"])
 
 
 def _show(obj: Any, holes: list[_Hole], facts: dict[str, Any] | None, warnings: list[str]) -> None:
@@ -288,7 +332,8 @@ def _plugs(holes: Any, clearance: float) -> Any:
             raise RefusedError(f"{what} Choose a smaller diameter or other places.")
         App.Console.PrintWarning(f"{holes.Label}: {what}\n")
     vertices, triangles = plug_arrays(outlines[fits], axes[fits], walled[fits], clearance)
-    facts = native.load().inspect(vertices, triangles)
+    extension, threads = native.load(), runs.threads()
+    facts = runs.run(lambda context: extension.inspect(vertices, triangles, threads=threads, context=context))
     if facts["status"] != "ok":
         raise RefusedError("The plugs overlap: put the holes further apart.")
     return mesh_from_arrays(vertices, triangles)

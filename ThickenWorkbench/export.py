@@ -8,6 +8,7 @@ import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from . import runs
 from .placed import placed_solid
 from .sources import DEFAULT_DEFLECTION, RefusedError
 
@@ -29,30 +30,45 @@ def export_for_printing(
     Raises sources.RefusedError for what is not a valid solid, with its defects; ValueError for another
     extension; ThickenError or OSError where nothing can be written.
     """
+    return runs.run(export_step(obj, path, deflection=deflection))
+
+
+def export_step(
+    obj: Any, path: str | os.PathLike[str], *, deflection: float = DEFAULT_DEFLECTION
+) -> runs.Step[dict[str, Any]]:
+    """The step of export_for_printing(): nothing of it touches `obj` any more."""
     from . import native
 
     target = Path(path)
     if target.suffix.lower() not in FORMATS:
         raise ValueError(f"the file must end in {' or '.join(FORMATS)}, not in “{target.suffix}”")
-    extension = native.load()
+    extension, label, threads = native.load(), obj.Label, runs.threads()
     vertices, triangles = placed_solid(obj, deflection)
-    facts = _require_solid(extension.inspect(vertices, triangles), obj, "is not a valid solid")
-    # A folder beside the target: renaming within a file system is whole or not at all.
-    with tempfile.TemporaryDirectory(prefix=".thicken-", dir=target.parent) as folder:
-        written = Path(folder) / f"solid{target.suffix.lower()}"
-        extension.write_mesh(written, vertices, triangles)
-        again = extension.inspect(*read_back(written))
-        _require_solid(again, obj, f"is not valid once it is written to {target.name}")
-        if (again["volume_mm3"], len(again["shells"])) != (facts["volume_mm3"], len(facts["shells"])):
-            raise RefusedError(f"What was read back from {target.name} is not what was written.")
-        os.replace(written, target)
-    return {
-        "path": str(target),
-        "triangles": len(triangles),
-        "volume_ml": again["volume_mm3"] / 1000,
-        "area_mm2": again["area_mm2"],
-        "shells": len(again["shells"]),
-    }
+    runs.require_room(len(triangles))
+
+    def step(context: Any) -> dict[str, Any]:
+        def inspect(*mesh: NDArray) -> dict[str, Any]:
+            return extension.inspect(*mesh, threads=threads, context=context)
+
+        facts = _require_solid(inspect(vertices, triangles), label, "is not a valid solid")
+        # A folder beside the target: renaming within a file system is whole or not at all.
+        with tempfile.TemporaryDirectory(prefix=".thicken-", dir=target.parent) as folder:
+            written = Path(folder) / f"solid{target.suffix.lower()}"
+            extension.write_mesh(written, vertices, triangles)
+            again = inspect(*read_back(written))
+            _require_solid(again, label, f"is not valid once it is written to {target.name}")
+            if (again["volume_mm3"], len(again["shells"])) != (facts["volume_mm3"], len(facts["shells"])):
+                raise RefusedError(f"What was read back from {target.name} is not what was written.")
+            os.replace(written, target)
+        return {
+            "path": str(target),
+            "triangles": len(triangles),
+            "volume_ml": again["volume_mm3"] / 1000,
+            "area_mm2": again["area_mm2"],
+            "shells": len(again["shells"]),
+        }
+
+    return step
 
 
 def read_back(path: Path) -> tuple[NDArray, NDArray]:
@@ -66,8 +82,8 @@ def read_back(path: Path) -> tuple[NDArray, NDArray]:
     return native.load().read_mesh(path)
 
 
-def _require_solid(facts: dict[str, Any], obj: Any, what: str) -> dict[str, Any]:
+def _require_solid(facts: dict[str, Any], label: str, what: str) -> dict[str, Any]:
     if facts["status"] != "ok":
         reasons = " ".join(f"{d['sentence'][:1].upper()}{d['sentence'][1:]}." for d in facts["defects"])
-        raise RefusedError(f"“{obj.Label}” {what}. {reasons}")
+        raise RefusedError(f"“{label}” {what}. {reasons}")
     return facts

@@ -18,6 +18,9 @@ from .source_observer import observe_sources
 class ThickenFeature(StatelessProxy):
     """Proxy of a Mesh::FeaturePython that holds the solid of its Source."""
 
+    schema = params.SCHEMA_VERSION
+    migrations = params.MIGRATIONS
+
     def ensure_properties(self, obj: Any) -> None:
         params.ensure_properties(obj)
 
@@ -25,10 +28,16 @@ class ThickenFeature(StatelessProxy):
         """Compute the solid. When that is refused, nothing of an earlier one stays behind."""
         try:
             require_source(obj.Source, obj)
-            mesh, solid = build.solid_of(obj.Source, params.arguments(obj), **params.choice(obj))
+            surface, arguments = build.surface_of(obj), params.arguments(obj)
+            if obj.Valid and obj.ComputedFor == build.fingerprint(surface, arguments, obj.Mesh):
+                # Only its place has changed, or an edit was undone.
+                obj.Placement = placement_in_parent_of(obj, obj.Source)
+                return
+            mesh, solid = build.solid_of(obj.Source, surface, arguments)
         except BaseException:
             self.clear(obj)
             raise
+        obj.ComputedFor = build.fingerprint(surface, arguments, mesh)
         mesh.Placement = placement_in_parent_of(obj, obj.Source)
         obj.Mesh = mesh  # takes over the Placement as well
         params.show_solid(obj, solid)
@@ -48,6 +57,8 @@ observe_sources(ThickenFeature)
 
 OUTPUTS = ("mesh", "solid")
 
+_NAME = "Thicken"
+
 
 def make_thicken(
     doc: Any,
@@ -56,6 +67,7 @@ def make_thicken(
     side: str = "negative",
     method: str = "auto",
     *,
+    quality: str = "standard",
     cell: Any = None,
     resolution: int | None = None,
     tolerance: Any = None,
@@ -65,13 +77,14 @@ def make_thicken(
     facets: Iterable[int] = (),
     deflection: Any = None,
     output: str = "mesh",
-    name: str = "Thicken",
+    name: str = _NAME,
 ) -> Any:
     """Add a feature that thickens the mesh or shape `source` to `doc`, recompute, and return it.
 
     `source` may be a list: every object of it gets a feature, and the list of them is returned.
     Lengths are numbers of mm, quantities, or text such as "2 mm". Without a thickness it is
-    build.suggested_thickness(). Of cell, resolution and tolerance give one or none.
+    build.suggested_thickness(). `quality` is "draft", "standard" or "fine"; or give one of cell, resolution and
+    tolerance.
 
     `faces` (names such as "Face3") choose a part of a shape, `facets` (indices) a part of a mesh;
     `deflection` is the farthest that the triangles of a shape may be from it. With output="solid" a
@@ -84,14 +97,10 @@ def make_thicken(
     several = isinstance(source, (list, tuple))
     sources = list(source) if several else [source]
     choice = (list(faces), [int(facet) for facet in facets], deflection)
-    if len(sources) > 1 and (choice[0] or choice[1]):
-        raise ValueError("faces and facets choose a part of one source; several were given")
-    if output not in OUTPUTS:
-        raise ValueError(f"output must be one of {', '.join(OUTPUTS)}, not {output!r}")
-    for each in sources:
-        require_source(each)
+    _require_sense(sources, choice, output)
     inputs = dict(
-        side=side, method=method, repair=repair, smooth=smooth, cell=cell, resolution=resolution, tolerance=tolerance
+        side=side, method=method, repair=repair, smooth=smooth, quality=quality,
+        cell=cell, resolution=resolution, tolerance=tolerance,
     )
     made = []
     try:
@@ -112,9 +121,20 @@ def make_thicken(
     return made if several else made[0]
 
 
+def _require_sense(sources: list[Any], choice: Any, output: str) -> None:
+    if len(sources) > 1 and (choice[0] or choice[1]):
+        raise ValueError("faces and facets choose a part of one source; several were given")
+    if output not in OUTPUTS:
+        raise ValueError(f"output must be one of {', '.join(OUTPUTS)}, not {output!r}")
+    for each in sources:
+        require_source(each)
+
+
 def _add_feature(doc: Any, source: Any, name: str, thickness: Any, choice: Any, inputs: dict[str, Any]) -> Any:
     obj = doc.addObject("Mesh::FeaturePython", name)
     try:
+        if name == _NAME:  # the tree and the file that is offered say what it is a solid of
+            obj.Label = f"{source.Label}_thick"
         ThickenFeature(obj)
         params.set_inputs(obj, **inputs)
         params.set_choice(obj, source, *choice)

@@ -14,7 +14,7 @@ from .sources import DEFAULT_DEFLECTION, face_names, kind_of
 if TYPE_CHECKING:
     from .arrays import ThickenedMesh
 
-SCHEMA_VERSION = 1
+SCHEMA_VERSION = 2
 
 # App::PropertyType by value: FreeCAD has no names for it in Python.
 _READ_ONLY = 1
@@ -26,7 +26,13 @@ SIDES = ["Negative", "Positive", "Both"]
 METHODS = ["Auto", "Sweep", "Reconstruct"]
 
 # What decides how fine the result is, and the property that holds the number for it.
-QUALITY_NUMBER = {"Automatic": None, "Cell": "Cell", "Resolution": "Resolution", "Tolerance": "Tolerance"}
+QUALITY_NUMBER = {"Standard": None, "Draft": None, "Fine": None, "Cell": "Cell", "Resolution": "Resolution",
+                  "Tolerance": "Tolerance"}  # fmt: skip
+
+# The cells of a quality that is a word, as a share of the thickness; without one the library chooses. Below 1/2
+# is what it allows. Chosen by a bone of 8,900 triangles at 3 mm (docs/freecad.md has what they give).
+QUALITY_CELL = {"Draft": 0.4, "Fine": 1 / 12}
+QUALITIES = [word.lower() for word in QUALITY_NUMBER if QUALITY_NUMBER[word] is None]
 
 
 @dataclass(frozen=True)
@@ -58,7 +64,7 @@ INPUTS = [
     _input("Side", "Enumeration", "Thicken", "Where the material lies; normals point to the positive side", SIDES),
     _input("Method", "Enumeration", "Thicken", "How the solid is computed", METHODS),
     _input("Repair", "Bool", "Thicken", "Mend a defective mesh first", False),
-    _input("Quality", "Enumeration", "Quality", "What decides how fine the result is", list(QUALITY_NUMBER)),
+    _input("Quality", "Enumeration", "Quality", "How fine the result is: a word, or the number that decides it", list(QUALITY_NUMBER)),
     _input("Cell", "Length", "Quality", "Cell width, below half the thickness", 0.25),
     _input("Resolution", "Integer", "Quality", "Cells along the longest side of the bounding box", 128),
     _input("Tolerance", "Length", "Quality", "The farthest that the inner shell may be from its definition", 0.05),
@@ -75,7 +81,7 @@ RESULTS = [
             "Deviation from the thickness, as a share of it, that 99 % of the inner shell stays below"),
     _result("ShellErrorMean", "Float", "shell_error.mean", "Mean deviation, as a share of the thickness"),
     _result("ShellErrorMax", "Float", "shell_error.max", "Largest deviation, as a share of the thickness"),
-    _result("ThinnestWall", "Length", "thinnest_wall.mm", "Thickness at the thinnest place"),
+    _result("ThinnestWall", "Length", "thinnest_wall.mm", "Least distance between the surface and its shell"),
     _result("ThinnestPlace", "Vector", "thinnest_wall.place_mm", "That place, without the Placement", (0, 0, 0)),
     _result("ThinShare", "Float", "thin_share", "Share of the mesh's area with less than 0.9 of the thickness"),
     _result("TriangleCount", "Integer", "output.triangles", "Triangles of the solid"),
@@ -87,44 +93,51 @@ RESULTS = [
     _result("Warnings", "StringList", "warnings", "What to know about the solid", ()),
 ]  # fmt: skip
 
-_SCHEMA = Property("SchemaVersion", "App::PropertyInteger", "Internal", "Version of the properties", 0,
-                   _READ_ONLY | _HIDDEN | _OUTPUT)  # fmt: skip
-
 # Lengths of the runs of triangles of one region: region, count, region, count, …
 _REGION_RUNS = Property("RegionRuns", "App::PropertyIntegerList", "Internal", "Regions of the triangles", (),
                         _READ_ONLY | _HIDDEN | _OUTPUT)  # fmt: skip
+# build.fingerprint() of the solid that is there.
+_COMPUTED_FOR = Property("ComputedFor", "App::PropertyString", "Internal", "What the solid was made from", "",
+                         _READ_ONLY | _HIDDEN | _OUTPUT)  # fmt: skip
+
+
+def _name_qualities(obj: Any) -> None:
+    """Schema 1 had no draft and no fine; what is the standard was called automatic."""
+    chosen = obj.Quality
+    obj.Quality = list(QUALITY_NUMBER)
+    obj.Quality = "Standard" if chosen == "Automatic" else chosen
+
 
 # MIGRATIONS[n] turns a feature of schema n into one of schema n + 1.
-MIGRATIONS: dict[int, Callable[[Any], None]] = {}
+MIGRATIONS: dict[int, Callable[[Any], None]] = {1: _name_qualities}
 
 
 def ensure_properties(obj: Any) -> None:
-    """Add the properties that `obj` lacks and bring it to the present schema; idempotent."""
-    fresh = _SCHEMA.name not in obj.PropertiesList
-    for prop in [*INPUTS, *RESULTS, _REGION_RUNS, _SCHEMA]:
+    """Add the properties that `obj` lacks; idempotent."""
+    for prop in [*INPUTS, *RESULTS, _REGION_RUNS, _COMPUTED_FOR]:
         if prop.name not in obj.PropertiesList:
             obj.addProperty(prop.type, prop.name, prop.group, prop.doc, prop.attributes)
             if prop.start is not None:
                 setattr(obj, prop.name, prop.start)
-    if not fresh:
-        for version in range(obj.SchemaVersion, SCHEMA_VERSION):
-            MIGRATIONS[version](obj)
-    # A newer program's document keeps its number.
-    obj.SchemaVersion = max(obj.SchemaVersion, SCHEMA_VERSION)
     obj.setEditorMode("Placement", 1)  # it follows the source's
     show_quality(obj)
 
 
 def show_quality(obj: Any) -> None:
     """Show only the number that the chosen Quality uses."""
-    chosen = QUALITY_NUMBER[obj.Quality]
+    chosen = QUALITY_NUMBER.get(obj.Quality)  # a document of an earlier schema may have another word still
     for name in filter(None, QUALITY_NUMBER.values()):
         obj.setEditorMode(name, 0 if name == chosen else 2)
 
 
-def set_inputs(obj: Any, *, side: str, method: str, repair: bool, smooth: int | None, **quality: Any) -> None:
-    """Set what make_thicken() takes of numbers; of `quality` (cell, resolution, tolerance) at most one is not None."""
-    given = {name.capitalize(): value for name, value in quality.items() if value is not None}
+def set_inputs(
+    obj: Any, *, side: str, method: str, repair: bool, smooth: int | None, quality: str, **numbers: Any
+) -> None:
+    """Set what make_thicken() takes of numbers; of `numbers` (cell, resolution, tolerance) at most one is not None."""
+    given = {name.capitalize(): value for name, value in numbers.items() if value is not None}
+    word = _choice("quality", quality, [q.capitalize() for q in QUALITIES])
+    if given and word != "Standard":
+        raise ValueError(f"give quality or {', '.join(given).lower()}, not both")
     if len(given) > 1:
         raise ValueError(f"give one of cell, resolution and tolerance, not {' and '.join(given).lower()}")
     obj.Side = _choice("side", side, SIDES)
@@ -134,7 +147,7 @@ def set_inputs(obj: Any, *, side: str, method: str, repair: bool, smooth: int | 
         if not 0 <= smooth <= 100:
             raise ValueError(f"smooth must be 0 to 100 rounds, not {smooth}")
         obj.Smooth = smooth
-    obj.Quality = next(iter(given), "Automatic")
+    obj.Quality = next(iter(given), word)
     for name, value in given.items():
         setattr(obj, name, value)
 
@@ -158,10 +171,16 @@ def arguments(obj: Any) -> dict[str, Any]:
     if obj.Smooth >= 0:
         result["smooth"] = obj.Smooth
     chosen = QUALITY_NUMBER[obj.Quality]
+    number = getattr(obj, chosen) if chosen is not None else None
+    return {**result, **quality_arguments(obj.Quality, getattr(number, "Value", number), obj.Thickness.Value)}
+
+
+def quality_arguments(quality: str, number: Any, thickness: float) -> dict[str, Any]:
+    """The arguments of thicken_mesh() that a Quality with its number stands for."""
+    chosen = QUALITY_NUMBER[quality]
     if chosen is not None:
-        number = getattr(obj, chosen)
-        result[chosen.lower()] = getattr(number, "Value", number)
-    return result
+        return {chosen.lower(): number}
+    return {"cell": QUALITY_CELL[quality] * thickness} if quality in QUALITY_CELL else {}
 
 
 def set_choice(obj: Any, source: Any, faces: Iterable[Any], facets: Iterable[int], deflection: Any) -> None:
@@ -212,5 +231,5 @@ def show_report(obj: Any, report: dict[str, Any]) -> None:
 
 def clear_results(obj: Any) -> None:
     """Set the results to what a feature without a solid has."""
-    for prop in [*RESULTS, _REGION_RUNS]:
+    for prop in [*RESULTS, _REGION_RUNS, _COMPUTED_FOR]:
         setattr(obj, prop.name, prop.start)

@@ -12,13 +12,17 @@ from typing import TYPE_CHECKING, Any
 
 import FreeCAD as App
 
+from . import native, runs
 from .beside import placement_in_parent_of, put_beside
+from .numbers import count, number
 from .proxy import StatelessProxy
 from .source_observer import observe_sources
 from .sources import RefusedError, kind_of
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
+
+translate = App.Qt.translate
 
 # Open CASCADE's own smallest tolerance, mm.
 _TOLERANCE = 1e-7
@@ -39,9 +43,13 @@ def size_warning(triangles: int) -> str:
     seconds = predicted_seconds(triangles)
     if seconds <= _WARN_BEYOND_SECONDS:
         return ""
-    return (
-        f"A Part solid of {triangles} faces takes about {seconds:.0f} s to make and check, and every later step of Part "
-        "as long again. A mesh is enough for printing; simplify it, or merge coplanar facets, if a solid is needed."
+    warning = translate(
+        "Thicken",
+        "A Part solid of {faces} faces takes about {seconds} s to make, and a check or a cut of it {later} s. "
+        "A mesh is enough for printing; choose a coarser quality, or merge coplanar facets, if a solid is needed.",
+    )
+    return warning.format(
+        faces=count(triangles), seconds=number(predicted_seconds(triangles, check=False), 2), later=number(seconds, 2)
     )
 
 
@@ -54,20 +62,25 @@ def part_solid(vertices: ArrayLike, triangles: ArrayLike, merge_coplanar: bool =
     """
     import Part
 
-    from . import native
     from .brep_solid import brep_bytes
     from .coplanar import merged_faces
     from .polyhedron import shells_of_solids, triangle_faces
 
-    extension = native.load()
-    points, corners = extension.weld(vertices, triangles)
-    found = extension.inspect(points, corners)
-    if found["status"] != "ok":
-        reasons = " ".join(defect["sentence"].capitalize() + "." for defect in found["defects"])
-        raise RefusedError(f"The mesh bounds no solid. {reasons}")
-    make = merged_faces if merge_coplanar else triangle_faces
-    points, edges, faces, tolerance = make(points, corners, found["shell_of_triangle"], _TOLERANCE)
-    content = brep_bytes(points, edges, faces, shells_of_solids(found["shells"]), tolerance)
+    extension, threads = native.load(), runs.threads()
+
+    def step(context: Any) -> bytes:
+        points, corners = extension.weld(vertices, triangles)
+        found = extension.inspect(points, corners, threads=threads, context=context)
+        if found["status"] != "ok":
+            reasons = " ".join(defect["sentence"].capitalize() + "." for defect in found["defects"])
+            raise RefusedError(f"The mesh bounds no solid. {reasons}")
+        runs.go_on(context)
+        make = merged_faces if merge_coplanar else triangle_faces
+        points, edges, faces, tolerance = make(points, corners, found["shell_of_triangle"], _TOLERANCE)
+        runs.go_on(context)
+        return brep_bytes(points, edges, faces, shells_of_solids(found["shells"]), tolerance)
+
+    content = runs.run(step)
     shape = Part.Shape()
     # By way of a file: Python has no other way in for the binary format.
     with tempfile.TemporaryDirectory(prefix="thicken-") as folder:

@@ -20,6 +20,8 @@ _OVERSAMPLING = 2
 _MARGIN = 0.94
 # Pixels that are looked at at a time: bounds the memory, whatever the number of triangles.
 _CHUNK = 2_000_000
+# The rounding of a pixel's coordinates.
+_NEAR = 1e-6
 
 
 class View(NamedTuple):
@@ -62,8 +64,9 @@ def draw(
     """
     width, height = (side * _OVERSAMPLING for side in size)
     eye = np.asarray(vertices, float) @ view.axes().T
-    used = eye[np.unique(triangles)]
-    low, high = used.min(axis=0), used.max(axis=0)
+    used = np.zeros(len(eye), bool)
+    used[triangles] = True
+    low, high = eye[used].min(axis=0), eye[used].max(axis=0)
     scale = _MARGIN * min(width / max(high[0] - low[0], 1e-300), height / max(high[1] - low[1], 1e-300))
     middle = (low + high) / 2
     pixel = np.column_stack([
@@ -73,13 +76,13 @@ def draw(
     ])  # fmt: skip
     limit = np.inf if cut_at is None else float(np.asarray(cut_at, float) @ view.axes()[2])
     if cut_at is None:  # nobody sees the backs of a closed mesh
-        front = _normals(eye[triangles])[:, 2] > 0
+        front = _facing(pixel[triangles])
         triangles, colours = triangles[front], colours[front]
     nearest = _nearest_triangles(pixel[triangles], width, height, limit)
-    paint = _paint(eye[triangles], colours)
     image = np.full((height * width, 3), BACKGROUND, np.uint8)
     seen = nearest >= 0
-    image[seen] = paint[nearest[seen]]
+    shown, which = np.unique(nearest[seen], return_inverse=True)
+    image[seen] = _paint(eye[triangles[shown]], colours[shown])[which]
     return _png(image.reshape(height, width, 3), size)
 
 
@@ -87,14 +90,10 @@ def _nearest_triangles(corners: NDArray, width: int, height: int, limit: float) 
     """For each pixel the triangle that the eye meets first, or -1."""
     depth = np.full(width * height, -np.inf)
     nearest = np.full(width * height, -1, np.int64)
+    planes = _planes(corners)
     for ids, x, y in _pixels(corners, width, height):
-        (ax, ay, az), (bx, by, bz), (cx, cy, cz) = corners[ids].transpose(1, 2, 0)
-        area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
-        area[area == 0] = np.nan
-        b = ((x - ax) * (cy - ay) - (y - ay) * (cx - ax)) / area
-        c = ((bx - ax) * (y - ay) - (by - ay) * (x - ax)) / area
-        z = az + b * (bz - az) + c * (cz - az)
-        inside = (b >= -1e-9) & (c >= -1e-9) & (b + c <= 1 + 1e-9) & (z <= limit)
+        b, c, z = (at_0[ids] + along_x[ids] * x + along_y[ids] * y for at_0, along_x, along_y in planes)
+        inside = (b >= -_NEAR) & (c >= -_NEAR) & (b + c <= 1 + _NEAR) & (z <= limit)
         where, z, owner = (y * width + x)[inside], z[inside], ids[inside]
         order = np.lexsort((z, where))  # the last of each pixel is the nearest
         where, z, owner = where[order], z[order], owner[order]
@@ -106,10 +105,24 @@ def _nearest_triangles(corners: NDArray, width: int, height: int, limit: float) 
     return nearest
 
 
+def _planes(corners: NDArray) -> list[tuple[NDArray, NDArray, NDArray]]:
+    """What is linear over each triangle: the shares of its second and third corner, and the depth; each as its value
+    at pixel (0, 0) and its growth along x and y. Not a number for a triangle that is seen from its edge."""
+    (ax, ay, az), (bx, by, bz), (cx, cy, cz) = np.ascontiguousarray(corners.transpose(1, 2, 0))
+    area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
+    area[area == 0] = np.nan
+    b_x, b_y = (cy - ay) / area, (ax - cx) / area
+    c_x, c_y = (ay - by) / area, (bx - ax) / area
+    z_x, z_y = (b_x * (bz - az) + c_x * (cz - az)), (b_y * (bz - az) + c_y * (cz - az))
+    return [(at_a - gx * ax - gy * ay, gx, gy) for at_a, gx, gy in ((0.0, b_x, b_y), (0.0, c_x, c_y), (az, z_x, z_y))]
+
+
 def _pixels(corners: NDArray, width: int, height: int) -> Iterator[tuple[NDArray, NDArray, NDArray]]:
-    """Triangle ids and pixels of the boxes around the triangles, some at a time."""
-    low = np.maximum(np.floor(corners[:, :, :2].min(axis=1)), 0).astype(np.int64)
-    high = np.minimum(np.ceil(corners[:, :, :2].max(axis=1)), (width - 1, height - 1)).astype(np.int64)
+    """Triangle ids and the pixels whose middles are in the boxes around the triangles, some at a time."""
+    # Whole numbers are the middles of pixels: most of many small triangles have none of them.
+    flat = corners[:, :, :2]
+    low = np.maximum(np.ceil(flat.min(axis=1) - _NEAR), 0).astype(np.int64)
+    high = np.minimum(np.floor(flat.max(axis=1) + _NEAR), (width - 1, height - 1)).astype(np.int64)
     sides = np.maximum(high - low + 1, 0)
     counts = sides[:, 0] * sides[:, 1]
     ends = np.cumsum(counts)
@@ -121,6 +134,12 @@ def _pixels(corners: NDArray, width: int, height: int) -> Iterator[tuple[NDArray
         place = np.arange(len(ids)) - np.repeat(ends[first:after] - counts[first:after] - begun, counts[first:after])
         yield ids, low[ids, 0] + place % sides[ids, 0], low[ids, 1] + place // sides[ids, 0]
         first = after
+
+
+def _facing(corners: NDArray) -> NDArray:
+    """Which triangles turn their front to the eye; in pixels, y goes down."""
+    (ax, ay), (bx, by), (cx, cy) = corners[:, :, :2].transpose(1, 2, 0)
+    return (bx - ax) * (cy - ay) - (by - ay) * (cx - ax) < 0
 
 
 def _normals(corners: NDArray) -> NDArray:

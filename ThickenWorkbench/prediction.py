@@ -34,6 +34,11 @@ class Forecast(NamedTuple):
         return time, f"{self.bytes / 1e6:.0f} MB"
 
 
+def bytes_of(triangles: int) -> int:
+    """What checking or measuring so many triangles takes at most."""
+    return _BYTES + triangles * _BYTES_PER_TRIANGLE
+
+
 def forecast(triangles: int, side: str) -> Forecast:
     """For a surface of so many triangles."""
     shells = 2 if side.lower() == "both" else 1

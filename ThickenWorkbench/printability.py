@@ -10,11 +10,17 @@ from typing import TYPE_CHECKING, Any, Iterable, NamedTuple
 
 import numpy as np
 
-from .placed import placed_solid
-from .sources import DEFAULT_DEFLECTION
+import FreeCAD as App
+
+from . import runs
+from .numbers import number, percent, place
+from .placed import linked_and_placement, placed_floats, placed_solid
+from .sources import DEFAULT_DEFLECTION, kind_of, surface_arrays
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
+
+translate = App.Qt.translate
 
 # Most printers hold a wall up to this angle against the print direction without support.
 OVERHANG_DEGREES = 45.0
@@ -47,7 +53,7 @@ def printability(
     is not a valid solid gets "valid" false, the defects, and no measures. Raises
     sources.RefusedError for an object without a surface.
     """
-    return measured(obj, direction, minimum_wall, deflection).facts
+    return runs.run(report_step(obj, direction, minimum_wall, deflection=deflection)).facts
 
 
 def write_report(
@@ -63,21 +69,27 @@ def write_report(
     A path that ends in .json gets the facts alone. Any other gets one HTML page with pictures in it,
     and the facts are written beside it, to the same name with .json.
     """
-    target = Path(path)
-    found = measured(obj, direction, minimum_wall, deflection)
-    if target.suffix.lower() != ".json":
-        from .report_page import page
-
-        target.write_text(page(found), encoding="utf-8")
-    target.with_suffix(".json").write_text(json.dumps(found.facts, indent=2, ensure_ascii=False) + "\n", encoding="utf-8")
+    found = runs.run(report_step(obj, direction, minimum_wall, deflection=deflection))
+    runs.run(lambda context: write_measured(found, path, context))
     return found.facts
 
 
-def measured(obj: Any, direction: Iterable[float], minimum_wall: Any, deflection: float) -> Measured:
-    """All that printability() and write_report() are made from."""
-    import FreeCAD as App
+def write_measured(found: Measured, path: str | os.PathLike[str], context: Any = None) -> None:
+    """Write what report_step() has measured, as write_report() does; nothing when `context` is cancelled before."""
+    target = Path(path)
+    if target.suffix.lower() != ".json":
+        from .report_page import page
 
+        target.write_text(page(found, context), encoding="utf-8")
+    target.with_suffix(".json").write_text(json.dumps(found.facts, indent=2, ensure_ascii=False) + "\n", encoding="utf-8")
+
+
+def report_step(
+    obj: Any, direction: Iterable[float] = (0, 0, 1), minimum_wall: Any = 1.0, *, deflection: float = DEFAULT_DEFLECTION
+) -> runs.Step[Measured]:
+    """For all that printability() and write_report() are made from: nothing of it touches `obj` any more."""
     from . import native
+    from .thickness_map import wall_step
 
     up = np.array([float(x) for x in direction])
     if up.shape != (3,) or not np.linalg.norm(up) > 0:
@@ -87,9 +99,53 @@ def measured(obj: Any, direction: Iterable[float], minimum_wall: Any, deflection
     if not least > 0:
         raise ValueError(f"minimum_wall must be above 0 mm, not {minimum_wall}")
     vertices, triangles = placed_solid(obj, deflection)
-    inspection = native.load().inspect(vertices, triangles)
+    runs.require_room(len(triangles))
+    extension, label, threads = native.load(), obj.Label, runs.threads()
+    linked, placement = linked_and_placement(obj)
+    walls, left = wall_step(linked, vertices, triangles), _pool_step(linked, placement, up)
+
+    def step(context: Any) -> Measured:
+        inspection = extension.inspect(vertices, triangles, threads=threads, context=context)
+        facts = _plain_facts(label, vertices, triangles, inspection, up, least)
+        if not facts["valid"]:
+            nothing = np.zeros(len(triangles), bool)
+            return Measured(vertices, triangles, np.full(len(triangles), np.nan), nothing, nothing, facts)
+        facts["pools"] = left(context)
+        return _measured_solid(vertices, triangles, inspection, walls(context), up, least, facts)
+
+    return step
+
+
+def _pool_step(obj: Any, placement: Any, up: NDArray) -> runs.Step[list[dict[str, Any]]]:
+    """For the resin that stays below the drain holes of `obj`, if it has any; it stands at `placement`."""
+    from . import native
+    from .drain_places import cavities_of
+    from .drain_pools import HoleEnds, pools
+
+    if not getattr(obj, "HoleCount", 0) or kind_of(obj.Source) != "mesh" or obj.Source.Mesh.CountFacets == 0:
+        return lambda context: []
+    extension, threads, diameter = native.load(), runs.threads(), obj.Diameter.Value
+    local, triangles = surface_arrays(obj.Source)  # a drained solid has the coordinates of its source
+    vertices = placed_floats(local, placement)
+    starts = [np.array(placement.multVec(place)) for place in obj.HolePlaces]
+    ways = [np.array(placement.Rotation.multVec(axis)) for axis in obj.HoleAxes]
+    ends = [HoleEnds(start, start + length * way) for start, way, length in zip(starts, ways, obj.HoleLengths)]
+
+    def step(context: Any) -> list[dict[str, Any]]:
+        hollow = extension.inspect(vertices, triangles, threads=threads, context=context)
+        cavities = cavities_of(hollow, triangles) if hollow["status"] == "ok" else []
+        return [
+            {"volume_ml": pool.volume / _MM3_PER_ML, "depth_mm": pool.depth, "lowest_place_mm": pool.place.tolist()}
+            for pool in pools(extension, vertices, cavities, ends, up, diameter)
+        ]
+
+    return step
+
+
+def _plain_facts(label, vertices, triangles, inspection, up, least) -> dict[str, Any]:
+    """What can be told of any mesh."""
     facts: dict[str, Any] = {
-        "object": obj.Label,
+        "object": label,
         "valid": inspection["status"] == "ok",
         "defects": [defect["sentence"] for defect in inspection["defects"]],
         "triangles": len(triangles),
@@ -97,19 +153,15 @@ def measured(obj: Any, direction: Iterable[float], minimum_wall: Any, deflection
         "minimum_wall_mm": least,
         "bounding_box": _box(vertices, triangles, up),
     }
-    nothing = np.zeros(len(triangles), bool)
     if not facts["valid"]:
         facts["printable"] = False
-        facts["warnings"] = ["The mesh is no valid solid: " + sentence + "." for sentence in facts["defects"]]
-        return Measured(vertices, triangles, np.full(len(triangles), np.nan), nothing, nothing, facts)
-    return _measured_solid(obj, vertices, triangles, inspection, up, least, facts)
+        no_solid = translate("Thicken", "The mesh is no valid solid: {defect}.")
+        facts["warnings"] = [no_solid.format(defect=sentence) for sentence in facts["defects"]]
+    return facts
 
 
-def _measured_solid(obj, vertices, triangles, inspection, up, least, facts) -> Measured:
-    from .thickness_map import wall_values
-
+def _measured_solid(vertices, triangles, inspection, walls, up, least, facts) -> Measured:
     areas, normals = _areas_and_normals(vertices, triangles)
-    walls = wall_values(obj, vertices, triangles)
     overhanging, standing = _overhangs(vertices, triangles, normals, up)
     cavity_shells = [number for number, shell in enumerate(inspection["shells"]) if shell["cavity"]]
     in_cavity = np.isin(inspection["shell_of_triangle"], cavity_shells)
@@ -174,31 +226,32 @@ def _trapped(vertices: NDArray, triangles: NDArray, inspection: dict[str, Any], 
 def _thinnest(vertices: NDArray, triangles: NDArray, walls: NDArray, areas: NDArray, least: float) -> dict[str, Any]:
     known = np.isfinite(walls)
     if not known.any():
-        return {"mm": None, "place_mm": None, "share_below_minimum": 0.0}
+        return {"mm": None, "place_mm": None, "share_below_minimum": 0.0, "area_below_minimum_mm2": 0.0}
     thinnest = int(np.nanargmin(walls))
     below = known & (walls < least * (1 - 1e-6))
     return {
         "mm": float(walls[thinnest]),
         "place_mm": vertices[triangles[thinnest]].mean(axis=0).tolist(),
         "share_below_minimum": float(areas[below].sum() / areas[known].sum()),
+        "area_below_minimum_mm2": float(areas[below].sum()),
     }
-
-
-def _at(place: list[float]) -> str:
-    return "(" + ", ".join(f"{x:.4g}" for x in place) + ") mm"
 
 
 def _warnings(facts: dict[str, Any]) -> list[str]:
     found = []
-    wall = facts["thinnest_wall"]
-    if wall["share_below_minimum"] > 0:
-        found.append(
-            f"{100 * wall['share_below_minimum']:.2g} % of the walls are thinner than {facts['minimum_wall_mm']:g} mm, "
-            f"the thinnest {wall['mm']:.3g} mm at {_at(wall['place_mm'])}."
+    wall, least = facts["thinnest_wall"], facts["minimum_wall_mm"]
+    # What is narrower than it must be thick breaks out at a corner, if at all: it is no wall that fails.
+    if wall["area_below_minimum_mm2"] >= least**2:
+        thin = translate(
+            "Thicken", "{area} mm² of the walls ({share}) are thinner than {least} mm, the thinnest {mm} mm at {place}."
         )
+        found.append(thin.format(area=number(wall["area_below_minimum_mm2"]), share=percent(wall["share_below_minimum"]),
+                                 least=number(least), mm=number(wall["mm"]), place=place(wall["place_mm"])))  # fmt: skip
     for cavity in facts["trapped"]:
-        found.append(
-            f"A closed cavity traps {cavity['volume_ml']:.3g} mL; its lowest point is at "
-            f"{_at(cavity['lowest_place_mm'])}. Add drain holes."
-        )
+        traps = translate("Thicken", "A closed cavity traps {volume} mL; its lowest point is at {place}. Add drain holes.")
+        found.append(traps.format(volume=number(cavity["volume_ml"]), place=place(cavity["lowest_place_mm"])))
+    for pool in facts["pools"]:
+        stays = translate("Thicken", "{volume} mL of resin stay {depth} mm deep below the holes of a cavity, at {place}. "
+                                     "Add a hole lower down.")  # fmt: skip
+        found.append(stays.format(volume=number(pool["volume_ml"]), depth=number(pool["depth_mm"]), place=place(pool["lowest_place_mm"])))
     return found

@@ -30,6 +30,8 @@ def facet_regions(feature: Any) -> NDArray[np.uint8]:
     another. Without a solid the array is empty.
     """
     runs = list(getattr(feature, "RegionRuns", ()))
+    if not runs and not hasattr(feature, "OriginalTriangles"):
+        return np.empty(0, np.uint8)
     if not runs:
         counts = (feature.OriginalTriangles, feature.ShellTriangles, feature.WallTriangles)
         runs = [number for pair in enumerate(counts) for number in pair]

@@ -3,15 +3,21 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import FreeCAD as App
 import Mesh
 
+from . import numbers, runs
 from .beside import placement_in_parent_of, put_beside, show_instead_of
 from .proxy import StatelessProxy, add_properties
 from .source_observer import observe_sources
-from .sources import RefusedError, require_source, surface_arrays
+from .sources import require_source, surface_arrays
+
+if TYPE_CHECKING:
+    from .arrays import RepairedMesh
+
+translate = App.Qt.translate
 
 _RESULT = 1 | 8  # read-only, and changing it does not touch the document
 
@@ -28,20 +34,22 @@ _RESULTS = [
     ("App::PropertyInteger", "TriangleCount", "Triangles of the result"),
 ]
 
-# What a change of each kind is to a reader; the numbers are put before.
-_WORDS = {
-    "welded": "corners moved onto a corner nearby",
-    "not-finite": "triangles with a corner that is no number removed",
-    "degenerate": "triangles without area removed",
-    "duplicate": "repeated triangles removed",
-    "divided": "triangles divided at a corner on one of their edges",
-    "turned": "triangles turned over",
-    "non-manifold-edge": "triangles removed where more than two met at an edge",
-    "one-sided": "triangles removed to cut a one-sided part open",
-    "self-intersecting": "triangles removed that met others",
-    "non-manifold-vertex": "triangles removed where parts touched in a point only",
-    "folded": "triangles removed in a fold or gap with no room for a wall",
-}
+
+def words() -> dict[str, str]:
+    """What a change of each kind is to a reader; the number is put behind, which suits one as well as many."""
+    return {
+        "welded": translate("Thicken", "Corners moved onto a corner nearby"),
+        "not-finite": translate("Thicken", "Triangles with a corner that is no number, removed"),
+        "degenerate": translate("Thicken", "Triangles without area, removed"),
+        "duplicate": translate("Thicken", "Repeated triangles, removed"),
+        "divided": translate("Thicken", "Triangles divided at a corner on one of their edges"),
+        "turned": translate("Thicken", "Triangles turned over"),
+        "non-manifold-edge": translate("Thicken", "Triangles removed where more than two met at an edge"),
+        "one-sided": translate("Thicken", "Triangles removed to cut a one-sided part open"),
+        "self-intersecting": translate("Thicken", "Triangles removed that met others"),
+        "non-manifold-vertex": translate("Thicken", "Triangles removed where parts touched in a point only"),
+        "folded": translate("Thicken", "Triangles removed in a fold or gap with no room for a wall"),
+    }
 
 
 class RepairFeature(StatelessProxy):
@@ -109,24 +117,22 @@ def _set_weld(obj: Any, weld: Any) -> None:
 
 
 def _mended(obj: Any) -> tuple[Any, dict[str, Any]]:
-    try:
-        import numpy as np
+    with runs.refusing(obj.Source):
+        from .mesh_io import mesh_from_arrays
 
-        from . import native
-        from .arrays import repair_mesh
-        from .mesh_io import MeshTransferError, mesh_from_arrays
-
-        extension = native.load()
-    except ImportError as error:
-        raise RefusedError(str(error)) from None
-    try:
-        surface = surface_arrays(obj.Source)
-        mended = repair_mesh(*surface, weld=None if obj.WeldAutomatically else obj.Weld.Value)
+        mended = runs.run(repair_step(obj.Source, None if obj.WeldAutomatically else obj.Weld.Value))
         # The corners that triangles were divided at are the surface's own: still floats.
-        return mesh_from_arrays(np.asarray(mended.vertices), mended.triangles), mended.report
-    except (extension.ThickenError, MeshTransferError) as error:
-        text = str(error)
-        raise RefusedError(text[:1].upper() + text[1:].rstrip(".") + ".") from None
+        return mesh_from_arrays(mended.vertices, mended.triangles), mended.report
+
+
+def repair_step(source: Any, weld: float | None) -> runs.Step[RepairedMesh]:
+    """For the mended surface of `source`: nothing of it touches `source` any more."""
+    from .arrays import repair_mesh
+
+    surface = surface_arrays(source)
+    runs.require_room(len(surface[1]))
+    threads = runs.threads()
+    return lambda context: repair_mesh(*surface, weld=weld, threads=threads, context=context)
 
 
 def _show(obj: Any, report: dict[str, Any] | None) -> None:
@@ -138,8 +144,8 @@ def _show(obj: Any, report: dict[str, Any] | None) -> None:
 
 
 def _sentence(change: dict[str, Any]) -> str:
-    where = ""
-    if change["places_mm"]:
-        place = App.Vector(*change["places_mm"][0])
-        where = f", the first at ({place.x:.6g}, {place.y:.6g}, {place.z:.6g}) mm"
-    return f"{change['count']} {_WORDS.get(change['kind'], change['kind'])}{where}."
+    what, count = words().get(change["kind"], change["kind"]), numbers.count(change["count"])
+    if not change["places_mm"]:
+        return f"{what}: {count}."
+    first = translate("Thicken", "{what}: {count}, the first at {place}.")
+    return first.format(what=what, count=count, place=numbers.place(change["places_mm"][0]))

@@ -5,16 +5,21 @@ from __future__ import annotations
 
 import base64
 from html import escape
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Iterator
 
+import FreeCAD as App
 import numpy as np
 
+from . import runs
+from .numbers import count, language, number, percent, place
 from .picture import draw, view_along
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from .printability import Measured
+
+translate = App.Qt.translate
 
 _PLAIN = (205, 208, 214)
 _OVERHANG = (235, 120, 40)
@@ -32,87 +37,123 @@ figure { margin: 0; max-width: 32rem; } figure img { width: 100%; } figcaption {
 """
 
 
-def page(measured: Measured) -> str:
-    """The HTML text; it needs no other file."""
+def page(measured: Measured, context: Any = None) -> str:
+    """The HTML text, in the language of FreeCAD's windows; it needs no other file.
+
+    Raises runs.CancelledError once `context` is cancelled.
+    """
     facts = measured.facts
+    good = translate("Thicken", "Nothing stands against printing it.")
     verdict = (
-        '<p class="good">Nothing stands against printing it.</p>'
+        f'<p class="good">{escape(good)}</p>'
         if facts["printable"]
         else "<ul>" + "".join(f'<li class="bad">{escape(warning)}</li>' for warning in facts["warnings"]) + "</ul>"
     )
     rows = "".join(f"<tr><th>{escape(name)}</th><td>{escape(value)}</td></tr>" for name, value in _rows(facts))
-    title = escape(f"Printability of {facts['object']}")
+    title = escape(translate("Thicken", "Printability of {object}").format(object=facts["object"]))
+    pictures = escape(translate("Thicken", "Pictures"))
     return (
-        f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>{title}</title><style>{_STYLE}</style>'
-        f"</head><body>\n<h1>{title}</h1>\n{verdict}\n<table>{rows}</table>\n<h2>Pictures</h2>\n"
-        f'<div class="pictures">{_pictures_if_possible(measured)}</div>\n</body></html>\n'
+        f'<!DOCTYPE html>\n<html lang="{language()}"><head><meta charset="utf-8"><title>{title}</title>'
+        f"<style>{_STYLE}</style></head><body>\n<h1>{title}</h1>\n{verdict}\n<table>{rows}</table>\n"
+        f'<h2>{pictures}</h2>\n<div class="pictures">{_pictures_if_possible(measured, context)}</div>\n</body></html>\n'
     )
 
 
-def _numbers(values: list[float], digits: int = 4) -> str:
-    return ", ".join(f"{value:.{digits}g}" for value in values)
-
-
-def _rows(facts: dict[str, Any]) -> list[tuple[str, str]]:
+def _rows(facts: dict[str, Any]) -> Iterator[tuple[str, str]]:
     box = facts["bounding_box"]
-    rows = [
-        ("Size", " × ".join(f"{side:.4g}" for side in box["size_mm"]) + " mm"),
-        ("Height while printing", f"{box['height_mm']:.4g} mm, along ({_numbers(facts['direction'])})"),
-        ("Triangles", str(facts["triangles"])),
-        ("Valid solid", "yes, proved with exact predicates" if facts["valid"] else "no"),
-    ]
+    along = translate("Thicken", "{height} mm, along {direction}")
+    yield translate("Thicken", "Size"), " × ".join(number(side, 4) for side in box["size_mm"]) + " mm"
+    yield (
+        translate("Thicken", "Height while printing"),
+        along.format(height=number(box["height_mm"], 4), direction=place(facts["direction"]).removesuffix(" mm")),
+    )
+    yield translate("Thicken", "Triangles"), count(facts["triangles"])
+    valid = translate("Thicken", "yes, proved with exact predicates") if facts["valid"] else translate("Thicken", "no")
+    yield translate("Thicken", "Valid solid"), valid
     if not facts["valid"]:
-        return rows
-    wall, overhang = facts["thinnest_wall"], facts["overhang"]
-    rows.append(("Parts", str(facts["parts"])))
-    rows.append(("Material", f"{facts['volume_ml']:.4g} mL"))
-    rows.append(("Surface", f"{facts['area_mm2']:.4g} mm²"))
+        return
+    yield translate("Thicken", "Parts"), count(facts["parts"])
+    yield translate("Thicken", "Material"), f"{number(facts['volume_ml'], 4)} mL"
+    yield translate("Thicken", "Surface"), f"{number(facts['area_mm2'], 4)} mm²"
+    yield from _wall_rows(facts)
+    yield from _resin_rows(facts)
+    overhang = facts["overhang"]
+    yield (
+        translate("Thicken", "Overhangs beyond {angle}°").format(angle=number(overhang["degrees"])),
+        translate("Thicken", "{area} mm², {share} of the surface").format(
+            area=number(overhang["area_mm2"], 4), share=percent(overhang["share"])
+        ),
+    )
+    yield translate("Thicken", "On the plate"), f"{number(overhang['on_plate_mm2'], 4)} mm²"
+
+
+def _wall_rows(facts: dict[str, Any]) -> Iterator[tuple[str, str]]:
+    wall = facts["thinnest_wall"]
     if wall["mm"] is not None:
-        rows.append(("Thinnest wall", f"{wall['mm']:.3g} mm at ({_numbers(wall['place_mm'])}) mm"))
-    share = 100 * wall["share_below_minimum"]
-    rows.append((f"Walls below {facts['minimum_wall_mm']:g} mm", f"{share:.2g} % of the area"))
-    for number, cavity in enumerate(facts["trapped"], 1):
-        place = _numbers(cavity["lowest_place_mm"])
-        rows.append((f"Closed cavity {number}", f"{cavity['volume_ml']:.4g} mL, lowest at ({place}) mm"))
+        at = translate("Thicken", "{mm} mm at {place}")
+        yield translate("Thicken", "Thinnest wall"), at.format(mm=number(wall["mm"]), place=place(wall["place_mm"]))
+    yield (
+        translate("Thicken", "Walls below {least} mm").format(least=number(facts["minimum_wall_mm"])),
+        translate("Thicken", "{share} of the area").format(share=percent(wall["share_below_minimum"])),
+    )
+
+
+def _resin_rows(facts: dict[str, Any]) -> Iterator[tuple[str, str]]:
+    lowest = translate("Thicken", "{volume} mL, lowest at {place}")
+    for index, cavity in enumerate(facts["trapped"], 1):
+        yield (
+            translate("Thicken", "Closed cavity {number}").format(number=index),
+            lowest.format(volume=number(cavity["volume_ml"], 4), place=place(cavity["lowest_place_mm"])),
+        )
     if not facts["trapped"]:
-        rows.append(("Closed cavities", "none"))
-    rows.append((
-        f"Overhangs beyond {overhang['degrees']:g}°",
-        f"{overhang['area_mm2']:.4g} mm², {100 * overhang['share']:.2g} % of the surface",
-    ))  # fmt: skip
-    rows.append(("On the plate", f"{overhang['on_plate_mm2']:.4g} mm²"))
-    return rows
+        yield translate("Thicken", "Closed cavities"), translate("Thicken", "none")
+    for pool in facts["pools"]:
+        text = lowest.format(volume=number(pool["volume_ml"]), place=place(pool["lowest_place_mm"]))
+        yield translate("Thicken", "Stays below holes"), text
 
 
-def _pictures_if_possible(measured: Measured) -> str:
+def _pictures_if_possible(measured: Measured, context: Any) -> str:
     try:
-        return _pictures(measured)
+        return _pictures(measured, context)
     except ImportError as error:  # the facts are worth a page without them
-        return f"<p>There are none: {escape(str(error))}. They need Pillow.</p>"
+        none = translate("Thicken", "There are none: {reason}. They need Pillow.")
+        return f"<p>{escape(none.format(reason=error))}</p>"
 
 
-def _pictures(measured: Measured) -> str:
+def _pictures(measured: Measured, context: Any) -> str:
     vertices, triangles, up = measured.vertices, measured.triangles, np.array(measured.facts["direction"])
     used = vertices[np.unique(triangles)]
     middle = (used.min(axis=0) + used.max(axis=0)) / 2
     above, below, side = view_along(up, 35, 25), view_along(up, 35, -35), view_along(up, 0, 0)
     plain = np.tile(np.array(_PLAIN, float), (len(triangles), 1))
-    views = [(draw(vertices, triangles, plain, above), "From above.")]
+    # Colours, view and caption of each; None: not cut.
+    views = [(plain, above, None, translate("Thicken", "From above."))]
     if measured.facts["valid"]:
         overhangs = np.where(measured.overhanging[:, None], _OVERHANG, plain)
         trapped = np.where(measured.in_cavity[:, None], _TRAPPED, plain)
         least = measured.facts["minimum_wall_mm"]
+        walls = translate("Thicken", "Walls: {thin} below {least} mm, {thick} {most} mm and more, {plain} not measured.")
         views += [
-            (draw(vertices, triangles, overhangs, below), f"From below. {_key(_OVERHANG)} needs support."),
-            (draw(vertices, triangles, trapped, side, cut_at=middle), f"Cut through the middle. {_key(_TRAPPED)} closed cavities."),
-            (draw(vertices, triangles, _wall_colours(measured.walls, least), above),
-             f"Walls: {_key(_THIN)} below {least:g} mm, {_key(_THICK)} {3 * least:g} mm and more, {_key(_PLAIN)} not measured."),
+            (overhangs, below, None,
+             _caption(translate("Thicken", "From below. {colour} needs support."), colour=_OVERHANG)),
+            (trapped, side, middle,
+             _caption(translate("Thicken", "Cut through the middle. {colour} closed cavities."), colour=_TRAPPED)),
+            (_wall_colours(measured.walls, least), above, None,
+             _caption(walls, thin=_THIN, thick=_THICK, plain=_PLAIN, least=number(least), most=number(3 * least))),
         ]  # fmt: skip
-    return "\n".join(
-        f'<figure><img alt="" src="data:image/png;base64,{base64.b64encode(content).decode()}">'
-        f"<figcaption>{caption}</figcaption></figure>"
-        for content, caption in views
-    )
+    figures = []
+    for colours, view, cut_at, caption in views:
+        runs.go_on(context)
+        content = base64.b64encode(draw(vertices, triangles, colours, view, cut_at=cut_at)).decode()
+        figures.append(
+            f'<figure><img alt="" src="data:image/png;base64,{content}"><figcaption>{caption}</figcaption></figure>'
+        )
+    return "\n".join(figures)
+
+
+def _caption(text: str, **blanks: Any) -> str:
+    """`text` with colours as little squares in its blanks."""
+    return escape(text).format(**{name: _key(b) if isinstance(b, tuple) else b for name, b in blanks.items()})
 
 
 def _key(colour: tuple[int, int, int]) -> str:

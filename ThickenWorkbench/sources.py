@@ -14,6 +14,8 @@ import FreeCAD as App
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+translate = App.Qt.translate
+
 # Between the normals of neighbouring triangles of a tessellated shape, radians.
 ANGULAR_DEFLECTION = 0.5
 DEFAULT_DEFLECTION = 0.1
@@ -41,10 +43,17 @@ def kind_of(source: Any) -> str | None:
 def require_source(source: Any, feature: Any = None) -> None:
     """Raise RefusedError unless `source` has a surface and `feature` may depend on it."""
     if source is None:
-        raise RefusedError("No surface is chosen. Set Source to a mesh object or to a shape with faces.")
+        raise RefusedError(
+            translate("Thicken", "No surface is chosen. Set Source to a mesh object or to a shape with faces.")
+        )
     label = getattr(source, "Label", source)
+    linked = getattr(source, "LinkedObject", None)
+    if kind_of(source) is None and linked is not None:
+        text = translate("Thicken", "“{label}” is a link. Choose the object that it links to, “{linked}”, or a copy of that.")
+        raise RefusedError(text.format(label=label, linked=linked.Label))
     if kind_of(source) is None:
-        raise RefusedError(f"“{label}” is neither a mesh nor a shape with faces. Choose one that is.")
+        text = translate("Thicken", "“{label}” is neither a mesh nor a shape with faces. Choose one that is.")
+        raise RefusedError(text.format(label=label))
     if feature is not None and (source == feature or feature in source.OutListRecursive):
         raise RefusedError(f"“{label}” depends on “{feature.Label}”. Choose another Source.")
 
@@ -94,6 +103,9 @@ def _facets_of(source: Any, facets: Iterable[int]) -> tuple[NDArray, NDArray]:
 
     from .mesh_io import MeshTransferError, arrays_from_mesh
 
+    if source.Mesh.CountFacets == 0:
+        text = translate("Thicken", "“{label}” has no triangles: there is nothing to thicken. Choose another mesh.")
+        raise RefusedError(text.format(label=source.Label))
     try:
         vertices, triangles = arrays_from_mesh(source.Mesh)
     except MeshTransferError as error:
@@ -139,7 +151,7 @@ def _chosen_shape(source: Any, faces: Sequence[str]) -> Any:
         number = int(name[4:])
         if number > len(every):
             raise RefusedError(
-                f"“{source.Label}” has no {name}, only {len(every)} faces. Choose the faces again: the shape has changed."
+                f"“{source.Label}” has no {name}: the last one is Face{len(every)}. Choose the faces again: the shape has changed."
             )
         chosen.append(every[number - 1])
     return Part.makeCompound(chosen)

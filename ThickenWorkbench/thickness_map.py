@@ -2,7 +2,8 @@
 """How thick a solid is facet by facet, and how far its shell is from its definition.
 
 "wall" measures any closed mesh: from the middle of each facet straight through the material to the
-boundary again; the cross-section at the rim of a Thicken feature has none. "deviation" is for
+boundary again, where that faces the other way; an edge has no wall, nor has the cross-section at the rim of
+a Thicken feature. "deviation" is for
 Thicken features: the distance of the shell from the surface less the thickness, which is 0 where the
 shell is where Definition 5 of the paper puts it; facets of the surface itself and of the wall have none.
 """
@@ -14,6 +15,7 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 import FreeCAD as App
 import numpy as np
 
+from . import runs
 from .regions import facet_regions
 from .sources import RefusedError, kind_of
 
@@ -53,6 +55,11 @@ def thickness_map(feature: Any, what: Literal["wall", "deviation"] = "wall") -> 
     Raises sources.RefusedError for an object without a closed mesh, and for "deviation" of an object that
     is not a Thicken feature with a solid.
     """
+    return runs.run(map_step(feature, what))
+
+
+def map_step(feature: Any, what: str = "wall") -> runs.Step[ThicknessMap]:
+    """The step of thickness_map(): nothing of it touches `feature` any more."""
     from .mesh_io import arrays_from_mesh
 
     if what not in ("wall", "deviation"):
@@ -61,29 +68,36 @@ def thickness_map(feature: Any, what: Literal["wall", "deviation"] = "wall") -> 
         raise RefusedError(f"“{getattr(feature, 'Label', feature)}” has no mesh to measure.")
     vertices, triangles = arrays_from_mesh(feature.Mesh)
     vertices = vertices.astype(float)
-    values = _wall(feature, vertices, triangles) if what == "wall" else _deviation(feature, vertices, triangles)
-    return _summary(what, values, vertices, triangles, feature.getGlobalPlacement())
+    runs.require_room(len(triangles))
+    measure = _wall(feature, vertices, triangles) if what == "wall" else _deviation(feature, vertices, triangles)
+    placement = feature.getGlobalPlacement()
+    return lambda context: _summary(what, measure(context), vertices, triangles, placement)
 
 
-def _wall(feature: Any, vertices: NDArray, triangles: NDArray) -> NDArray:
+def _wall(feature: Any, vertices: NDArray, triangles: NDArray) -> runs.Step[NDArray]:
     if not feature.Mesh.isSolid():
         raise RefusedError(f"“{feature.Label}” is not closed: only a closed mesh has a wall thickness.")
-    return wall_values(feature, vertices, triangles)
+    return wall_step(feature, vertices, triangles)
 
 
-def wall_values(obj: Any, vertices: NDArray, triangles: NDArray) -> NDArray:
-    """The wall thickness at each of `triangles`, which bound the closed solid of `obj`; NaN for none."""
+def wall_step(obj: Any, vertices: NDArray, triangles: NDArray) -> runs.Step[NDArray]:
+    """For the wall thickness at each of `triangles`, which bound the closed solid of `obj`; NaN for none."""
     from . import native
 
-    values = native.load().wall_thickness(vertices, triangles)
-    if hasattr(obj, "RegionRuns"):
-        regions = facet_regions(obj)
-        if len(regions) == len(values):  # from its cross-section a sheet is as thick as it is broad
-            values[regions == _WALL] = np.nan
-    return np.where(np.isfinite(values), values, np.nan)
+    extension, threads = native.load(), runs.threads()
+    regions = facet_regions(obj) if hasattr(obj, "RegionRuns") else np.empty(0)
+
+    # From its cross-section a sheet is as thick as it is broad.
+    edges = regions == _WALL if len(regions) == len(triangles) else None
+
+    def step(context: Any) -> NDArray:
+        values = extension.wall_thickness(vertices, triangles, edges=edges, threads=threads, context=context)
+        return np.where(np.isfinite(values), values, np.nan)
+
+    return step
 
 
-def _deviation(feature: Any, vertices: NDArray, triangles: NDArray) -> NDArray:
+def _deviation(feature: Any, vertices: NDArray, triangles: NDArray) -> runs.Step[NDArray]:
     from . import native
     from .build import surface_of
 
@@ -93,11 +107,16 @@ def _deviation(feature: Any, vertices: NDArray, triangles: NDArray) -> NDArray:
     if len(regions) != len(triangles):
         raise RefusedError(f"The mesh of “{feature.Label}” is not the one that was computed. Recompute it.")
     shell = np.flatnonzero(regions == _SHELL)
-    closest = native.load().closest_points(*surface_of(feature), vertices[triangles[shell]].mean(axis=1))
-    measured = closest["on_rim"] == 0  # beyond the rim the shell is wall, whatever it is called
-    values = np.full(len(triangles), np.nan)
-    values[shell[measured]] = closest["distance"][measured] - feature.Thickness.Value
-    return values
+    extension, surface, thickness = native.load(), surface_of(feature), feature.Thickness.Value
+
+    def step(context: Any) -> NDArray:
+        closest = extension.closest_points(*surface, vertices[triangles[shell]].mean(axis=1), context=context)
+        measured = closest["on_rim"] == 0  # beyond the rim the shell is wall, whatever it is called
+        values = np.full(len(triangles), np.nan)
+        values[shell[measured]] = closest["distance"][measured] - thickness
+        return values
+
+    return step
 
 
 def _summary(what: str, values: NDArray, vertices: NDArray, triangles: NDArray, placement: Any) -> ThicknessMap:

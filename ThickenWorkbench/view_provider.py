@@ -39,8 +39,32 @@ class FeatureViewProvider(Stateless):
         return True
 
 
-class ThickenViewProvider(FeatureViewProvider):
-    """Shows the regions of a solid in colours of their own; a double click opens the task panel."""
+class EditableViewProvider(FeatureViewProvider):
+    """A double click opens the task panel."""
+
+    def doubleClicked(self, view: Any) -> bool:
+        view.Document.setEdit(view.Object.Name, 0)
+        return True
+
+    def setEdit(self, view: Any, mode: int = 0) -> bool | None:
+        """Open the task panel that made the feature."""
+        if mode != 0:
+            return None  # moving, colours: FreeCAD's own
+        from .gui.editing import edit
+
+        return edit(view.Object)
+
+    def unsetEdit(self, view: Any, mode: int = 0) -> bool | None:
+        if mode != 0:
+            return None
+        from .gui.editing import end
+
+        end()
+        return True
+
+
+class RegionViewProvider(EditableViewProvider):
+    """Shows the regions of a solid in colours of their own."""
 
     def attach(self, view: Any) -> None:
         super().attach(view)
@@ -75,25 +99,9 @@ class ThickenViewProvider(FeatureViewProvider):
 
         paint(view, getattr(view, "RegionColors", True))
 
-    def doubleClicked(self, view: Any) -> bool:
-        view.Document.setEdit(view.Object.Name, 0)
-        return True
 
-    def setEdit(self, view: Any, mode: int = 0) -> bool | None:
-        """Open the task panel of the Thicken command for this feature."""
-        if mode != 0:
-            return None  # moving, colours: FreeCAD's own
-        from .gui.editing import edit
-
-        return edit(view.Object)
-
-    def unsetEdit(self, view: Any, mode: int = 0) -> bool | None:
-        if mode != 0:
-            return None
-        from .gui.editing import end
-
-        end()
-        return True
+class ThickenViewProvider(RegionViewProvider):
+    """Of a thickened surface."""
 
 
 class SolidViewProvider(FeatureViewProvider):
@@ -102,14 +110,20 @@ class SolidViewProvider(FeatureViewProvider):
     icon = "part_solid.svg"
 
 
-class RepairViewProvider(FeatureViewProvider):
+class RepairViewProvider(EditableViewProvider):
     """Of a mended surface."""
 
     icon = "repair_surface.svg"
 
 
-class DrainViewProvider(FeatureViewProvider):
+class DrainViewProvider(RegionViewProvider):
     """Of a solid with drain holes."""
+
+    icon = "drain_holes.svg"
+
+
+class PlugViewProvider(FeatureViewProvider):
+    """Of plugs for drain holes."""
 
     icon = "drain_holes.svg"
 
@@ -120,7 +134,7 @@ _PROVIDERS = {
     "PartSolidFeature": SolidViewProvider,
     "RepairFeature": RepairViewProvider,
     "DrainHolesFeature": DrainViewProvider,
-    "PlugFeature": DrainViewProvider,
+    "PlugFeature": PlugViewProvider,
 }
 
 

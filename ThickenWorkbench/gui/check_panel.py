@@ -9,17 +9,17 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
 
-from .. import preferences
-from ..check_surface import check_surface
+from .. import numbers, preferences
+from ..check_surface import check_step
 from ..sources import bound_box
-from . import macro, messages
+from . import macro
 from .camera import go_to, view_of
 from .chosen import Chosen
-from .defect_places import Place, places
-from .job import Job
+from .defect_places import Place, kind_name, places
 from .overlay import faces, lines, over_view, points
 from .panel import Panel
 from .qt import QtCore, QtWidgets
+from .run_row import RunRow, stopped_text
 
 translate = App.Qt.translate
 
@@ -41,7 +41,7 @@ class CheckPanel(Panel):
         self._build()
         Gui.Selection.clearSelection()
         named = {name: value for name, value in item.named().items() if value is not None}
-        self._job = Job([lambda _: check_surface(item.source, **named)], self._checked).start()
+        self.compute(lambda: check_step(item.source, **named), self._checked, self._failed)
 
     def leave_view(self) -> None:
         self._overlay.remove()
@@ -68,15 +68,15 @@ class CheckPanel(Panel):
         self.repair.setObjectName("Repair")
         self.repair.setVisible(False)
         self.repair.clicked.connect(self._repair)
-        for widget in (self.status, self.list, self.sentence, self.repair):
+        self.run_row = RunRow(self.stop)
+        for widget in (self.status, self.run_row.widget, self.list, self.sentence, self.repair):
             column.addWidget(widget)
 
-    def _checked(self, job: Job) -> None:
-        self._job = None
-        if job.error is not None:
-            self.status.setText(messages.sentences(job.error))
-            return
-        (self.defects,) = job.results
+    def _failed(self, sentences: str) -> None:
+        self.status.setText(sentences or stopped_text())
+
+    def _checked(self, defects: list[Any]) -> None:
+        self.defects = defects
         macro.record("defects", self.defects, "check_surface", self.item.source, **self.item.named())
         label = self.item.source.Label
         if not self.defects:
@@ -86,7 +86,7 @@ class CheckPanel(Panel):
             return
         count = sum(defect.count for defect in self.defects)
         found = translate("Thicken", "“{label}” has {count} defects. Click one to go there.")
-        self.status.setText(found.format(label=label, count=count))
+        self.status.setText(found.format(label=label, count=numbers.count(count)))
         self.repair.setVisible(True)
         self._fill()
         self._mark()
@@ -101,12 +101,13 @@ class CheckPanel(Panel):
 
     def _fill(self) -> None:
         for defect in self.defects or []:
-            kind = QtWidgets.QTreeWidgetItem(self.list, [f"{defect.code} ({defect.count})"])
+            kind = QtWidgets.QTreeWidgetItem(self.list, [f"{kind_name(defect.code)} ({numbers.count(defect.count)})"])
             found = places(defect)
             everything = np.concatenate([place.corners for place in found])
             kind.setData(0, QtCore.Qt.UserRole, (defect.sentence, everything))
             for place in found:
                 row = QtWidgets.QTreeWidgetItem(kind, [place.name])
+                row.setToolTip(0, place.name)  # a narrow panel cuts it off
                 row.setData(0, QtCore.Qt.UserRole, (defect.sentence, place.corners))
             kind.setExpanded(True)
 

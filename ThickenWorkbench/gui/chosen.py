@@ -24,20 +24,40 @@ class Chosen:
 
 
 def surfaces() -> list[Chosen]:
-    """Meshes, shapes, chosen faces and chosen facets, in the order of selection."""
+    """Meshes, shapes, chosen faces and chosen facets, in the order of selection; of a group what is in it."""
     chosen = []
     for selected in _selection():
-        obj = selected.Object
-        if is_mesh(obj):
-            chosen.append(Chosen(obj, facets=tuple(_facets(obj))))
-        elif is_shape(obj):
-            chosen.append(Chosen(obj, faces=tuple(n for n in selected.SubElementNames if n.startswith("Face"))))
+        for obj in _members(selected.Object):
+            if is_mesh(obj):
+                chosen.append(Chosen(obj, facets=tuple(_facets(obj))))
+            elif is_shape(obj):
+                own = selected.SubElementNames if obj == selected.Object else ()
+                chosen.append(Chosen(obj, faces=tuple(n for n in own if n.startswith("Face"))))
     return chosen
 
 
 def solids() -> list[Any]:
-    """The selected objects that have a mesh or a shape."""
-    return [selected.Object for selected in _selection() if is_mesh(selected.Object) or is_shape(selected.Object)]
+    """The selected objects that have a mesh or a shape; of a group the visible ones in it."""
+    members = [obj for selected in _selection() for obj in _members(selected.Object)]
+    return [obj for obj in members if is_mesh(obj) or is_shape(obj)]
+
+
+def printables() -> list[Any]:
+    """solids(), and links to such: they can be measured and written where the link is."""
+    return solids() + links()
+
+
+def links() -> list[Any]:
+    """The selected links to objects with a mesh or a shape."""
+    found = [selected.Object for selected in _selection() if selected.Object.isDerivedFrom("App::Link")]
+    return [link for link in found if link.LinkedObject is not None and (is_mesh(link.LinkedObject) or is_shape(link.LinkedObject))]
+
+
+def _members(obj: Any) -> list[Any]:
+    """An object itself, or the visible ones within a group or an App::Part, in its order."""
+    if not (obj.hasExtension("App::GroupExtension") and not obj.isDerivedFrom("Part::Feature")):
+        return [obj]
+    return [member for child in obj.Group if child.ViewObject.Visibility for member in _members(child)]
 
 
 def made_solids() -> list[Any]:
@@ -46,8 +66,8 @@ def made_solids() -> list[Any]:
 
 
 def anything() -> bool:
-    """Whether there is an object that surfaces() would return, without looking at its facets."""
-    return bool(solids())
+    """Whether there is an object that surfaces() would return, or a link to one, without looking at its facets."""
+    return bool(solids()) or bool(links())
 
 
 def is_mesh(obj: Any) -> bool:

@@ -12,6 +12,7 @@ from typing import Any
 import FreeCAD as App
 import FreeCADGui as Gui
 
+from .. import runs
 from ..native import PACKAGE_DIR
 from ..view_provider import ICONS
 from . import chosen
@@ -44,11 +45,27 @@ class Command:
         """Whether targets() would find something; FreeCAD asks all the time, so this has to be quick."""
         return chosen.anything()
 
+    def explain_link(self) -> bool:
+        """Whether there is nothing but links, about which the user is told."""
+        links = chosen.links()
+        if not links or self.targets():
+            return False
+        from . import messages
+
+        messages.tell_link(links[0])
+        return True
+
     def targets(self) -> list[Any]:
         """What of the selection the command can use."""
         raise NotImplementedError
 
     def Activated(self) -> None:
+        """What FreeCAD calls."""
+        if not self.explain_link():
+            self.activate()
+
+    def activate(self) -> None:
+        """Do it with the targets()."""
         raise NotImplementedError
 
 
@@ -57,19 +74,19 @@ class PanelCommand(Command):
 
     panel = ("", "")  #: the module here and its class
 
-    def Activated(self) -> None:
+    def activate(self) -> None:
         from . import editing
 
         module, name = self.panel
         panel = getattr(import_module(f".{module}", __package__), name)
-        (target,) = self.targets()
+        target = self.targets()[0]
         editing.show(lambda: panel(target))
 
 
 class MakeCommand(Command):
     name = "Thicken_Make"
     icon = "thicken.svg"
-    menu = QT_TRANSLATE_NOOP("Thicken_Make", "Thicken …")
+    menu = QT_TRANSLATE_NOOP("Thicken_Make", "Thicken...")
     tip = QT_TRANSLATE_NOOP("Thicken_Make", "Turn the selected open surfaces into printable solids")
     help = QT_TRANSLATE_NOOP(
         "Thicken_Make",
@@ -80,7 +97,7 @@ class MakeCommand(Command):
     def targets(self) -> list[Any]:
         return chosen.surfaces()
 
-    def Activated(self) -> None:
+    def activate(self) -> None:
         from . import editing
         from .thicken_panel import ThickenPanel
 
@@ -116,7 +133,7 @@ class RepairCommand(Command):
     def targets(self) -> list[Any]:
         return chosen.surfaces()
 
-    def Activated(self) -> None:
+    def activate(self) -> None:
         from .repairing import repair
 
         repair([item.source for item in self.targets()])
@@ -144,7 +161,7 @@ class DrainCommand(PanelCommand):
     panel = ("drain_panel", "DrainPanel")
     name = "Thicken_Drain"
     icon = "drain_holes.svg"
-    menu = QT_TRANSLATE_NOOP("Thicken_Drain", "Drain Holes …")
+    menu = QT_TRANSLATE_NOOP("Thicken_Drain", "Drain Holes...")
     tip = QT_TRANSLATE_NOOP("Thicken_Drain", "Let resin out of the cavities of a solid")
     help = QT_TRANSLATE_NOOP(
         "Thicken_Drain",
@@ -163,7 +180,7 @@ class ReportCommand(PanelCommand):
     panel = ("report_panel", "ReportPanel")
     name = "Thicken_Report"
     icon = "printability.svg"
-    menu = QT_TRANSLATE_NOOP("Thicken_Report", "Printability Report …")
+    menu = QT_TRANSLATE_NOOP("Thicken_Report", "Printability Report...")
     tip = QT_TRANSLATE_NOOP("Thicken_Report", "Volume, thinnest wall, trapped resin and overhangs of a solid")
     help = QT_TRANSLATE_NOOP(
         "Thicken_Report",
@@ -171,13 +188,13 @@ class ReportCommand(PanelCommand):
     )
 
     def targets(self) -> list[Any]:
-        return chosen.solids()[:1]
+        return chosen.printables()[:1]
 
 
 class ExportCommand(Command):
     name = "Thicken_Export"
     icon = "export.svg"
-    menu = QT_TRANSLATE_NOOP("Thicken_Export", "Export for Printing …")
+    menu = QT_TRANSLATE_NOOP("Thicken_Export", "Export for Printing...")
     tip = QT_TRANSLATE_NOOP("Thicken_Export", "Write a solid as STL or 3MF, read it again and judge it")
     help = QT_TRANSLATE_NOOP(
         "Thicken_Export",
@@ -185,15 +202,54 @@ class ExportCommand(Command):
     )
 
     def targets(self) -> list[Any]:
-        return chosen.solids()[:1]
+        return chosen.printables()[:1]
 
-    def Activated(self) -> None:
+    def activate(self) -> None:
         from .exporting import export
 
         export(self.targets()[0])
 
 
-COMMANDS = [MakeCommand, CheckCommand, RepairCommand, MapCommand, DrainCommand, ReportCommand, ExportCommand]
+class SolidCommand(Command):
+    name = "Thicken_Solid"
+    icon = "part_solid.svg"
+    menu = QT_TRANSLATE_NOOP("Thicken_Solid", "Part Solid")
+    tip = QT_TRANSLATE_NOOP("Thicken_Solid", "Make a solid of Part from a closed mesh; it follows the mesh")
+    help = QT_TRANSLATE_NOOP(
+        "Thicken_Solid",
+        "Select thickened or drained solids, or other closed meshes. Each gets a solid with a planar face for each triangle.",
+    )
+
+    def targets(self) -> list[Any]:
+        return [obj for obj in chosen.solids() if chosen.is_mesh(obj)]
+
+    def is_usable(self) -> bool:
+        return bool(self.targets())
+
+    def activate(self) -> None:
+        from .solids import make_solids
+
+        make_solids(self.targets())
+
+
+class StopCommand(Command):
+    """For a FreeCAD that recomputes beside its windows, which then have no dialog."""
+
+    name = "Thicken_Stop"
+    icon = "stop.svg"
+    menu = QT_TRANSLATE_NOOP("Thicken_Stop", "Stop Computing")
+    tip = QT_TRANSLATE_NOOP("Thicken_Stop", "Stop whatever Thicken computes at the moment")
+    help = QT_TRANSLATE_NOOP("Thicken_Stop", "A feature that was being recomputed is without a solid until the next recompute.")
+
+    def IsActive(self) -> bool:
+        return runs.any_running()
+
+    def Activated(self) -> None:
+        runs.cancel_all()
+
+
+COMMANDS = [MakeCommand, CheckCommand, RepairCommand, MapCommand, DrainCommand, ReportCommand, ExportCommand,
+            SolidCommand, StopCommand]  # fmt: skip
 
 
 def register() -> list[str]:

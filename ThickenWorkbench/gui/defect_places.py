@@ -8,10 +8,25 @@ from typing import Any, NamedTuple
 import FreeCAD as App
 import numpy as np
 
+from ..numbers import place
+
 translate = App.Qt.translate
 
 # Their triangles come in pairs, one after the other.
 _PAIRED = {"self-intersecting"}
+
+
+def kind_name(code: str) -> str:
+    """A heading for a code of docs/errors.md."""
+    names = {
+        "empty": translate("Thicken", "No triangles"),
+        "not-finite": translate("Thicken", "Coordinates that are no numbers"),
+        "degenerate": translate("Thicken", "Triangles without area"),
+        "not-manifold": translate("Thicken", "Edges or points where the surface branches"),
+        "not-oriented": translate("Thicken", "Neighbours that face opposite ways"),
+        "self-intersecting": translate("Thicken", "Triangles that cross"),
+    }
+    return names.get(code, code)
 
 
 class Place(NamedTuple):
@@ -47,5 +62,4 @@ def _of_triangles(defect: Any) -> list[Place]:
 
 
 def _at(corners: Any) -> str:
-    x, y, z = corners.mean(0)
-    return translate("Thicken", "at ({x}, {y}, {z})").format(x=f"{x:.4g}", y=f"{y:.4g}", z=f"{z:.4g}")
+    return translate("Thicken", "at {place}").format(place=place(corners.mean(0)))

@@ -63,26 +63,40 @@ def show(make_panel: Any) -> Any:
         messages.warn(translate("Thicken", "Thicken cannot start"), str(error))
         return None
     Gui.Control.showDialog(_panel)
+    _panel.watch()
     return _panel
 
 
 def edit(feature: Any) -> bool:
-    """Edit a Thicken feature in its panel; False when it cannot be."""
-    from .surfaces import chosen_of
-    from .thicken_panel import ThickenPanel
-
+    """Edit a feature in its panel; False when it cannot be."""
     if feature.Source is None:
         messages.warn(feature.Label, translate("Thicken", "No surface is chosen. Set Source in the property editor."))
         return False
-    return show(lambda: ThickenPanel([chosen_of(feature)], feature)) is not None
+    return show(lambda: _panel_of(feature)) is not None
+
+
+def _panel_of(feature: Any) -> Any:
+    kind = type(feature.Proxy).__name__
+    if kind == "DrainHolesFeature":
+        from .drain_panel import DrainPanel
+
+        return DrainPanel(feature.Source, feature)
+    if kind == "RepairFeature":
+        from .repair_panel import RepairPanel
+
+        return RepairPanel(feature)
+    from .surfaces import chosen_of
+    from .thicken_panel import ThickenPanel
+
+    return ThickenPanel([chosen_of(feature)], feature)
 
 
 def end() -> None:
     """Close the panel of an edited feature when FreeCAD leaves its edit mode."""
     global _panel
     panel, _panel = _panel, None
-    if panel is not None and hasattr(panel, "leave"):
-        panel.leave()
+    if panel is not None:
+        panel.close()
     if Gui.Control.activeDialog():
         Gui.Control.closeDialog()
 

@@ -8,13 +8,11 @@ from typing import Any
 
 import FreeCAD as App
 
+from ..numbers import count, number
 from . import macro, messages
 from .files import ask_target
-from .qt import QtCore, QtWidgets
 
 translate = App.Qt.translate
-
-_SUFFIXES = {".stl", ".3mf"}
 
 
 def export(obj: Any) -> None:
@@ -24,21 +22,18 @@ def export(obj: Any) -> None:
     path = _ask(obj)
     if path is None:
         return
-    QtWidgets.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
     try:
         exported = macro.assign("exported", macro.call("export_for_printing", obj, str(path)))
     except Exception as error:  # told to the user; the file is not there
-        QtWidgets.QApplication.restoreOverrideCursor()
-        messages.warn(translate("Thicken", "Nothing was written"), str(error))
+        messages.warn(translate("Thicken", "Nothing was written"), messages.sentences(error))
         return
-    QtWidgets.QApplication.restoreOverrideCursor()
     messages.tell(
         translate("Thicken", "Export for Printing"),
         translate(
             "Thicken",
             "“{label}” was written to {path}, read again and proved valid: {triangles} triangles, {volume} mL.",
         ).format(
-            label=obj.Label, path=path, triangles=f"{exported['triangles']:,}", volume=f"{exported['volume_ml']:.4g}"
+            label=obj.Label, path=path, triangles=count(exported["triangles"]), volume=number(exported["volume_ml"], 4)
         ),
     )
 
@@ -48,9 +43,6 @@ def _ask(obj: Any) -> Path | None:
         obj,
         translate("Thicken", "Export for Printing"),
         ".stl",
-        translate("Thicken", "For printing (*.stl *.3mf)"),
+        [translate("Thicken", "Stereolithography (*.stl)"), translate("Thicken", "3D Manufacturing Format (*.3mf)")],
     )
-    if not name:
-        return None
-    path = Path(name)
-    return path if path.suffix.lower() in _SUFFIXES else path.with_name(path.name + ".stl")
+    return Path(name) if name else None

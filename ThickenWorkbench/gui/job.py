@@ -2,7 +2,7 @@
 """Calls of the library in a thread of their own, while FreeCAD stays alive.
 
 The library releases the interpreter's lock and never calls back, so the main thread polls. Only the
-main thread touches documents and widgets: a step gets arrays and returns arrays.
+main thread touches documents and widgets: steps are those of runs.py, which hold arrays and return arrays.
 """
 
 from __future__ import annotations
@@ -10,7 +10,8 @@ from __future__ import annotations
 import threading
 from typing import Any, Callable
 
-from .. import native
+from .. import native, runs
+from . import modal_run
 from .qt import QtCore
 
 _POLL_MS = 50
@@ -60,11 +61,14 @@ class Job:
             for step, context in zip(self._steps, self._contexts):
                 if self.cancelled:
                     return
-                self.results.append(step(context))
+                with runs.tracked(context):
+                    self.results.append(step(context))
         except BaseException as error:  # shown by the main thread
             self.error = error
 
     def _poll(self) -> None:
+        if modal_run.waits():  # within a recompute: what `done` does to documents has to wait
+            return
         if self._thread.is_alive():
             if self._tick is not None:
                 finished = min(len(self.results), len(self._steps) - 1)

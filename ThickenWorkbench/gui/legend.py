@@ -7,6 +7,7 @@ from typing import Any
 
 import FreeCAD as App
 
+from ..numbers import number
 from .colour_scale import colours, ticks
 from .qt import QtCore, QtGui, QtWidgets
 
@@ -63,7 +64,7 @@ class Legend(QtWidgets.QWidget):
             y = self._y(value)
             painter.drawLine(QtCore.QPointF(_BAR, y), QtCore.QPointF(_BAR + 5, y))
             box = QtCore.QRectF(_BAR + 8, y - 10, _TEXT - 8, 20)
-            painter.drawText(box, QtCore.Qt.AlignVCenter | QtCore.Qt.AlignLeft, f"{value:.4g}")
+            painter.drawText(box, QtCore.Qt.AlignVCenter | QtCore.Qt.AlignLeft, number(value, 4))
 
     def _draw_histogram(self, painter: Any) -> None:
         shares, edges = self._shares, self._edges

@@ -9,17 +9,20 @@ from typing import Any
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from ..thickness_map import thickness_map
-from . import macro, messages
+from .. import preferences
+from ..numbers import number
+from ..thickness_map import map_step
+from . import macro
 from .camera import go_to, view_of
 from .chosen import is_thicken
 from .colour_scale import colours
-from .job import Job
 from .legend import Legend
-from .map_scale import ends, shares
+from .map_scale import asked_thickness, ends, shares
+from .overlay import over_view, points
 from .panel import Panel
 from .qt import QtWidgets
 from .region_colours import paint_plain, paint_points
+from .run_row import RunRow, stopped_text
 
 translate = App.Qt.translate
 
@@ -38,11 +41,13 @@ class MapPanel(Panel):
         self.document = feature.Document
         self.objects = [feature]
         self._view = view_of(self.document)
+        self._overlay = over_view(self._view)
         self._build()
         Gui.Selection.clearSelection()
         self._measure()
 
     def leave_view(self) -> None:
+        self._overlay.remove()
         self._plain()
 
     def _build(self) -> None:
@@ -63,13 +68,13 @@ class MapPanel(Panel):
         self.legend = Legend()
         self.to_least = self._button("ToLeast", translate("Thicken", "Go to the least"), lambda: self.map.minimum_place)
         self.to_most = self._button("ToMost", translate("Thicken", "Go to the largest"), lambda: self.map.maximum_place)
-        line = QtWidgets.QHBoxLayout()
-        line.addWidget(self.to_least)
-        line.addWidget(self.to_most)
+        self.run_row = RunRow(self.stop)
         column.addWidget(self.what)
+        column.addWidget(self.run_row.widget)
         column.addWidget(self.facts)
         column.addWidget(self.legend, 1)
-        column.addLayout(line)
+        column.addWidget(self.to_least)
+        column.addWidget(self.to_most)
 
     def _button(self, name: str, text: str, place: Any) -> Any:
         button = QtWidgets.QPushButton(text)
@@ -79,39 +84,41 @@ class MapPanel(Panel):
         return button
 
     def _measure(self) -> None:
-        if self._job is not None:
-            self._job.abandon()
         what = WHATS[self.what.currentIndex()]
         self.map = None
+        self._overlay.show()
+        for button in (self.to_least, self.to_most):
+            button.setEnabled(False)
         self.facts.setText(translate("Thicken", "Measuring …"))
-        self._job = Job([lambda _: thickness_map(self.feature, what=what)], self._measured).start()
+        self.compute(lambda: map_step(self.feature, what), self._measured, self._failed)
 
-    def _measured(self, job: Job) -> None:
-        self._job = None
-        if job.error is not None:
-            self.facts.setText(messages.sentences(job.error))
-            self._plain()
-            return
-        (self.map,) = job.results
+    def _failed(self, sentences: str) -> None:
+        self.facts.setText(sentences or stopped_text())
+        self._plain()
+
+    def _measured(self, found: Any) -> None:
+        self.map = found
         macro.record("thickness", self.map, "thickness_map", self.feature, what=self.map.what)
-        low, high = ends(self.map)
+        low, high = ends(self.map, asked_thickness(self.feature))
         paint_points(self.feature.ViewObject, colours(self.map.vertex_values, low, high))
         self.legend.show_shares(*shares(self.feature, self.map, low, high))
         self.facts.setText(
             translate(
                 "Thicken", "Least {least}, mean {mean}, largest {largest} mm. 98 % of the area: {low} to {high} mm."
             ).format(
-                least=f"{self.map.minimum:.4g}",
-                mean=f"{self.map.mean:.4g}",
-                largest=f"{self.map.maximum:.4g}",
-                low=f"{self.map.percentiles[1]:.4g}",
-                high=f"{self.map.percentiles[99]:.4g}",
+                least=number(self.map.minimum, 4),
+                mean=number(self.map.mean, 4),
+                largest=number(self.map.maximum, 4),
+                low=number(self.map.percentiles[1], 4),
+                high=number(self.map.percentiles[99], 4),
             )
         )
         for button in (self.to_least, self.to_most):
             button.setEnabled(True)
 
     def _go(self, place: Any) -> None:
+        """Go to a place and mark it: it may be behind the part."""
+        self._overlay.show(points([tuple(place)], preferences.colour("ColorDefect"), 12.0))
         go_to(self._view, tuple(place), _AROUND * self.feature.Mesh.BoundBox.DiagonalLength)
 
     def _plain(self) -> None:

@@ -13,17 +13,31 @@ from ..mesh_io import arrays_from_mesh
 _BINS = 40
 
 
-def ends(found: Any) -> tuple[float, float]:
+# The scale of a wall reaches so far from the thickness that was asked for: half of it less, half of it more.
+_HALF = 0.5
+
+
+def asked_thickness(obj: Any) -> float | None:
+    """The thickness, mm, that `obj`, or what it is made from, was given; None where there is none."""
+    for _ in range(100):  # a chain of features; documents have no cycles
+        if obj is None or hasattr(obj, "ThinnestWall"):
+            break
+        obj = getattr(obj, "Source", None)
+    return obj.Thickness.Value if obj is not None else None
+
+
+def ends(found: Any, asked: float | None = None) -> tuple[float, float]:
     """The least and the largest value with a colour of its own.
 
-    A few facets at an edge can lie far beyond all others and would leave one colour for these. But
-    nothing thin is hidden, and a deviation has 0 in its middle.
+    A wall has the thickness that was asked for in the middle, so that the same colour means the same in every
+    solid; where none is known, the median. A deviation has 0 in its middle.
     """
+    if found.what == "wall":
+        middle = asked if asked else found.percentiles[50]
+        return (1 - _HALF) * middle, (1 + _HALF) * middle
     low, high = found.percentiles[1], found.percentiles[99]
-    if found.what == "deviation":
-        most = max(abs(low), abs(high)) or max(abs(found.minimum), abs(found.maximum))
-        return -most, most
-    return found.minimum, high if high > found.minimum else found.maximum
+    most = max(abs(low), abs(high)) or max(abs(found.minimum), abs(found.maximum))
+    return -most, most
 
 
 def shares(feature: Any, found: Any, low: float, high: float) -> tuple[NDArray, NDArray]:

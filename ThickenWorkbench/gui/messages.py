@@ -8,7 +8,8 @@ from typing import Any
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from .. import native
+from .. import native, runs
+from ..numbers import count, number
 from .qt import QtWidgets
 
 translate = App.Qt.translate
@@ -18,11 +19,7 @@ def sentences(error: BaseException) -> str:
     """All that an error says, as whole sentences."""
     if isinstance(error, MemoryError):
         return translate("Thicken", "There is not enough memory. Simplify the mesh, or choose a coarser quality.")
-    parts = [defect["sentence"] for defect in getattr(error, "defects", ())]
-    text = str(error) or type(error).__name__
-    if not parts or not text.startswith(parts[0]):
-        parts.insert(0, text)
-    return " ".join(part[:1].upper() + part[1:].rstrip(".") + "." for part in parts)
+    return runs.as_sentences(runs.all_parts(error))
 
 
 def was_cancelled(error: BaseException | None) -> bool:
@@ -35,6 +32,20 @@ def warn(title: str, text: str) -> None:
 
 def tell(title: str, text: str) -> None:
     QtWidgets.QMessageBox.information(Gui.getMainWindow(), title, text)
+
+
+def tell_link(link: Any) -> None:
+    """Why a link cannot be used, and what can."""
+    text = translate(
+        "Thicken", "“{label}” is a link. Select the object that it links to, “{linked}”, or make a copy of that where the link is."
+    )
+    tell(translate("Thicken", "A link is selected"), text.format(label=link.Label, linked=link.LinkedObject.Label))
+
+
+def ask(title: str, text: str) -> bool:
+    """Whether the user wants to go on."""
+    box = QtWidgets.QMessageBox
+    return box.question(Gui.getMainWindow(), title, text, box.Ok | box.Cancel, box.Cancel) == box.Ok
 
 
 def extension_is_there() -> bool:
@@ -50,6 +61,13 @@ def extension_is_there() -> bool:
 def numbers(solid: Any) -> str:
     """One line about a solid."""
     report = solid.report
-    return translate("Thicken", "{volume} mL, thinnest wall {wall} mm").format(
-        volume=f"{report['output']['volume_ml']:.3g}", wall=f"{report['thinnest_wall']['mm']:.3g}"
+    return translate("Thicken", "{volume} mL, {triangles} triangles, thinnest wall {wall} mm").format(
+        volume=number(report["output"]["volume_ml"]),
+        triangles=count(report["output"]["triangles"]),
+        wall=number(report["thinnest_wall"]["mm"]),
     )
+
+
+def warning(text: str) -> str:
+    """A warning of the library as a sentence."""
+    return runs.as_sentences([text])

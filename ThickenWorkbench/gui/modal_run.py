@@ -10,8 +10,9 @@ from typing import Any, Callable
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from .. import native
+from .. import runs
 from .qt import QtCore, QtWidgets
+from .stages import stage_name
 
 translate = App.Qt.translate
 
@@ -20,9 +21,16 @@ _PATIENCE = 0.7
 _REFRESH = 0.03
 
 
-def run(step: Callable[[Any], Any]) -> Any:
+_waiting = 0
+
+
+def waits() -> bool:
+    """Whether a dialog of this module is handling events, within whatever FreeCAD is doing."""
+    return _waiting > 0
+
+
+def wait_for(step: Callable[[Any], Any]) -> Any:
     """Return what `step` returns for a RunContext, or raise what it raises."""
-    context = native.load().RunContext()
     outcome: dict[str, Any] = {}
 
     def work() -> None:
@@ -31,17 +39,19 @@ def run(step: Callable[[Any], Any]) -> Any:
         except BaseException as error:  # raised again below, in the thread that waits
             outcome["error"] = error
 
-    thread = threading.Thread(target=work, name="thicken", daemon=True)
-    thread.start()
-    thread.join(_PATIENCE)
-    if thread.is_alive():
-        _wait(thread, context)
+    with runs.started() as context:
+        thread = threading.Thread(target=work, name="thicken", daemon=True)
+        thread.start()
+        thread.join(_PATIENCE)
+        if thread.is_alive():
+            _wait(thread, context)
     if "error" in outcome:
         raise outcome["error"]
     return outcome["result"]
 
 
 def _wait(thread: threading.Thread, context: Any) -> None:
+    global _waiting
     dialog = QtWidgets.QProgressDialog(Gui.getMainWindow())
     dialog.setWindowTitle(translate("Thicken", "Thicken"))
     dialog.setWindowModality(QtCore.Qt.ApplicationModal)
@@ -52,15 +62,18 @@ def _wait(thread: threading.Thread, context: Any) -> None:
     clicks = _Clicks(dialog)
     QtWidgets.QApplication.instance().installEventFilter(clicks)
     dialog.show()
+    _waiting += 1
     try:
         while thread.is_alive():
-            dialog.setLabelText(context.stage)
+            dialog.setLabelText(stage_name(context.stage))
+            dialog.setRange(0, 1000 if context.progress > 0 else 0)  # 0: how far it is cannot be told
             dialog.setValue(min(999, int(1000 * context.progress)))
             QtWidgets.QApplication.processEvents(QtCore.QEventLoop.AllEvents, 20)
             if dialog.wasCanceled():
                 context.cancel()
             time.sleep(_REFRESH)
     finally:
+        _waiting -= 1
         QtWidgets.QApplication.instance().removeEventFilter(clicks)
         dialog.close()
         dialog.deleteLater()

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import Any, Callable
 
-from .. import preferences
+from .. import preferences, runs
 from ..arrays import Region, ThickenedMesh, thicken_mesh
 from .job import Job
 from .overlay import faces, over_object
@@ -26,6 +26,7 @@ class Preview:
         self._overlays = [over_object(obj) for obj in objects]
         self._told = told
         self._runs: list[tuple[Any, dict[str, Any]]] = []
+        self._solids: list[ThickenedMesh] | None = None
         self._job: Job | None = None
         self._timer = QtCore.QTimer()
         self._timer.setSingleShot(True)
@@ -38,7 +39,8 @@ class Preview:
         self._timer.start(_PAUSE_MS)
 
     def cancel(self) -> None:
-        """Stop computing; what is shown stays until hide()."""
+        """Stop computing, and forget the solids; what is shown stays until hide()."""
+        self._solids = None
         self._timer.stop()
         if self._job is not None:
             self._job.abandon()
@@ -46,6 +48,10 @@ class Preview:
 
     def busy(self) -> bool:
         return self._timer.isActive() or self._job is not None
+
+    def solids(self) -> list[ThickenedMesh] | None:
+        """Those of the latest request, once they are there: the very ones that a run with its inputs would make."""
+        return self._solids
 
     def hide(self) -> None:
         for overlay in self._overlays:
@@ -58,15 +64,16 @@ class Preview:
 
     def _start(self) -> None:
         def step(surface: Any, arguments: dict[str, Any]) -> Callable[[Any], ThickenedMesh]:
-            return lambda context: thicken_mesh(
-                *surface, **arguments, threads=preferences.get("Threads"), context=context
-            )
+            return lambda context: thicken_mesh(*surface, **arguments, **limits, context=context)
+
+        limits = {"threads": runs.threads(), "memory": runs.memory()}
 
         self._job = Job([step(*run) for run in self._runs], self._finished).start()
 
     def _finished(self, job: Job) -> None:
         self._job = None
         if job.error is None:
+            self._solids = job.results
             for overlay, solid in zip(self._overlays, job.results):
                 overlay.show(*_nodes(solid))
         else:

@@ -76,12 +76,12 @@ def repaint_all() -> None:
     """After the preferences have changed."""
     import FreeCAD as App
 
-    from ..view_provider import ThickenViewProvider
+    from ..view_provider import RegionViewProvider
 
     for document in App.listDocuments().values():
         for obj in document.Objects:
             view = getattr(obj, "ViewObject", None)
-            if isinstance(getattr(view, "Proxy", None), ThickenViewProvider):
+            if isinstance(getattr(view, "Proxy", None), RegionViewProvider):
                 view.Proxy.paint(view)
 
 

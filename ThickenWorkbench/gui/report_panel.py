@@ -3,23 +3,26 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from .. import preferences
-from ..printability import printability
+from .. import preferences, runs
+from ..placed import linked_and_placement
+from ..printability import Measured, report_step, write_measured
 from ..sources import bound_box
 from . import macro, messages
 from .camera import go_to, view_of
 from .directions import direction, direction_box
 from .files import ask_target
-from .job import Job
 from .overlay import over_view, points
 from .panel import Panel
 from .qt import QtCore, QtWidgets, length_box, on_value
+from .run_row import RunRow, stopped_text
 from .report_summary import place_of, summary
+from .tones import tones
 
 translate = App.Qt.translate
 
@@ -35,28 +38,27 @@ class ReportPanel(Panel):
     def __init__(self, solid: Any) -> None:
         self.solid = solid
         self.report: Any = None  #: of the inputs that are shown; None while it is computed
+        self.measured: Measured | None = None  #: what the report and its page are made from
         self._timer = QtCore.QTimer()
         self._timer.setSingleShot(True)
         self._timer.timeout.connect(self._compute)
         self.document = solid.Document
         self.objects = [solid]
+        self._diagonal = bound_box(linked_and_placement(solid)[0]).DiagonalLength
         self._view = view_of(self.document)
         self._overlay = over_view(self._view)
         self._build()
         Gui.Selection.clearSelection()
         self._edited()
 
-    def reject(self) -> bool:
-        self._timer.stop()
-        return super().reject()
-
     def leave_view(self) -> None:
+        self._timer.stop()
         self._overlay.remove()
 
     def go(self, link: Any) -> None:
         """Go to the place that a link of the summary names."""
         place = place_of(link.toString())
-        go_to(self._view, place, _AROUND * bound_box(self.solid).DiagonalLength)
+        go_to(self._view, place, _AROUND * self._diagonal)
         self._overlay.show(points([place], preferences.colour("ColorDefect"), 12.0))
 
     def _build(self) -> None:
@@ -65,6 +67,7 @@ class ReportPanel(Panel):
         self.form.setWindowTitle(translate("Thicken", "Printability Report"))
         column = QtWidgets.QVBoxLayout(self.form)
         rows = QtWidgets.QFormLayout()
+        rows.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
         column.addLayout(rows)
         self.direction = direction_box()
         self.direction.currentIndexChanged.connect(lambda _: self._edited())
@@ -78,11 +81,17 @@ class ReportPanel(Panel):
         self.facts.anchorClicked.connect(self.go)
         self.facts.setObjectName("Facts")
         self.facts.setMinimumHeight(320)
+        self.run_row = RunRow(self.stop)
+        column.addWidget(self.run_row.widget)
         column.addWidget(self.facts, 1)
-        self.save = QtWidgets.QPushButton(translate("Thicken", "Save …"))
+        self.save = QtWidgets.QPushButton(translate("Thicken", "Save..."))
         self.save.setObjectName("Save")
         self.save.clicked.connect(self._save)
         column.addWidget(self.save)
+        self.saved = QtWidgets.QLabel()
+        self.saved.setObjectName("Saved")
+        self.saved.setWordWrap(True)
+        column.addWidget(self.saved)
 
     def _inputs(self) -> dict[str, Any]:
         return {
@@ -91,10 +100,9 @@ class ReportPanel(Panel):
         }
 
     def _edited(self) -> None:
-        if self._job is not None:
-            self._job.abandon()
-            self._job = None
-        self.report = None
+        self.abandon()
+        self.report = self.measured = None
+        self.saved.clear()
         self._overlay.show()
         self.save.setEnabled(False)
         self.facts.setPlainText(translate("Thicken", "Measuring …"))
@@ -102,16 +110,15 @@ class ReportPanel(Panel):
 
     def _compute(self) -> None:
         inputs = self._inputs()
-        self._job = Job([lambda _: printability(self.solid, **inputs)], self._computed).start()
+        self.compute(lambda: report_step(self.solid, **inputs), self._computed, self._failed)
 
-    def _computed(self, job: Job) -> None:
-        self._job = None
-        if job.error is not None:
-            self.facts.setPlainText(messages.sentences(job.error))
-            return
-        (self.report,) = job.results
+    def _failed(self, sentences: str) -> None:
+        self.facts.setPlainText(sentences or stopped_text())
+
+    def _computed(self, found: Measured) -> None:
+        self.measured, self.report = found, found.facts
         macro.record("report", self.report, "printability", self.solid, **self._inputs())
-        self.facts.setHtml(summary(self.report))
+        self.facts.setHtml(summary(self.report, tones(self.facts)))
         self.save.setEnabled(True)
 
     def _save(self) -> None:
@@ -119,11 +126,25 @@ class ReportPanel(Panel):
             self.solid,
             translate("Thicken", "Save the report"),
             ".html",
-            translate("Thicken", "Page with pictures (*.html);;Data (*.json)"),
+            [translate("Thicken", "Page with pictures (*.html)"), translate("Thicken", "Data (*.json)")],
         )
         if not name:
             return
         try:
-            macro.run(macro.call("write_report", self.solid, name, **self._inputs()))
+            runs.run(lambda context: write_measured(self.measured, name, context))
+        except runs.CancelledError:
+            self.saved.setText(stopped_text())
+            return
         except OSError as error:
             messages.warn(translate("Thicken", "Nothing was written"), str(error))
+            return
+        macro.record("report", self.report, "write_report", self.solid, name, **self._inputs())
+        self.saved.setText(_told(Path(name)))
+
+
+def _told(path: Path) -> str:
+    """What was written."""
+    if path.suffix.lower() == ".json":
+        return translate("Thicken", "Written: {path}").format(path=path)
+    both = translate("Thicken", "Written: {path}, and the same facts as data in {data}")
+    return both.format(path=path, data=path.with_suffix(".json").name)

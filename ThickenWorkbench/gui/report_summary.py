@@ -8,17 +8,24 @@ from typing import Any, Iterable
 
 import FreeCAD as App
 
+from ..numbers import count, number, percent
+
 translate = App.Qt.translate
 
 _SCHEME = "place:"
 
 
-def summary(facts: dict[str, Any]) -> str:
-    """A verdict, what to heed, and a table."""
+def summary(facts: dict[str, Any], colours: dict[str, str]) -> str:
+    """A verdict, what to know before printing, and a table; `colours` are those of tones()."""
     good = translate("Thicken", "Ready to print")
-    bad = translate("Thicken", "Heed before printing")
-    verdict, colour = (good, "#26a269") if facts["printable"] else (bad, "#c01c28")
-    rows = "".join(f"<tr><td>{escape(name)}&nbsp;&nbsp;</td><td>{text}</td></tr>" for name, text in _rows(facts))
+    bad = translate("Thicken", "To mend before printing")
+    verdict = good if facts["printable"] else bad
+    colour = colours["good" if facts["printable"] else "bad"]
+    link = colours["link"]
+    rows = "".join(
+        f"<tr><td>{escape(name)}&nbsp;&nbsp;</td><td>{text.replace('<a ', f'<a style=color:{link} ')}</td></tr>"
+        for name, text in _rows(facts)
+    )
     warnings = "".join(f"<li>{escape(sentence)}</li>" for sentence in facts["warnings"])
     return (
         f'<h3 style="color: {colour}">{escape(verdict)}</h3>'
@@ -33,24 +40,25 @@ def place_of(link: str) -> tuple[float, ...]:
 
 
 def _rows(facts: dict[str, Any]) -> Iterable[tuple[str, str]]:
-    size = " × ".join(f"{side:.4g}" for side in facts["bounding_box"]["size_mm"])
-    yield translate("Thicken", "Size"), f"{size} mm"
-    yield translate("Thicken", "Height"), f"{facts['bounding_box']['height_mm']:.4g} mm"
-    yield translate("Thicken", "Triangles"), f"{facts['triangles']:,}"
+    yield translate("Thicken", "Size"), f"{' × '.join(number(side, 4) for side in facts['bounding_box']['size_mm'])} mm"
+    yield translate("Thicken", "Height"), f"{number(facts['bounding_box']['height_mm'], 4)} mm"
+    yield translate("Thicken", "Triangles"), count(facts["triangles"])
     if not facts["valid"]:
         return
-    yield translate("Thicken", "Parts"), str(facts["parts"])
-    yield translate("Thicken", "Volume"), f"{facts['volume_ml']:.4g} mL"
-    yield translate("Thicken", "Surface"), f"{facts['area_mm2'] / 100:.4g} cm²"
+    yield translate("Thicken", "Parts"), count(facts["parts"])
+    yield translate("Thicken", "Volume"), f"{number(facts['volume_ml'], 4)} mL"
+    yield translate("Thicken", "Surface"), f"{number(facts['area_mm2'] / 100, 4)} cm²"
     wall = facts["thinnest_wall"]
     if wall["mm"] is not None:
-        yield translate("Thicken", "Thinnest wall"), _link(f"{wall['mm']:.4g} mm", wall["place_mm"])
+        yield translate("Thicken", "Thinnest wall"), _link(f"{number(wall['mm'])} mm", wall["place_mm"])
     overhang = facts["overhang"]
-    text = f"{overhang['area_mm2'] / 100:.4g} cm² ({100 * overhang['share']:.2g} %)"
-    yield translate("Thicken", "Overhang beyond {angle}°").format(angle=f"{overhang['degrees']:g}"), text
-    yield translate("Thicken", "On the plate"), f"{overhang['on_plate_mm2'] / 100:.4g} cm²"
+    text = f"{number(overhang['area_mm2'] / 100)} cm² ({percent(overhang['share'])})"
+    yield translate("Thicken", "Overhang beyond {angle}°").format(angle=number(overhang["degrees"])), text
+    yield translate("Thicken", "On the plate"), f"{number(overhang['on_plate_mm2'] / 100)} cm²"
     for cavity in facts["trapped"]:
-        yield translate("Thicken", "Trapped"), _link(f"{cavity['volume_ml']:.4g} mL", cavity["lowest_place_mm"])
+        yield translate("Thicken", "Trapped"), _link(f"{number(cavity['volume_ml'])} mL", cavity["lowest_place_mm"])
+    for pool in facts["pools"]:
+        yield translate("Thicken", "Stays below holes"), _link(f"{number(pool['volume_ml'])} mL", pool["lowest_place_mm"])
 
 
 def _link(text: str, place: Iterable[float]) -> str:

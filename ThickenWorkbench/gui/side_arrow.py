@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from .. import preferences
 from .overlay import arrow, over_object
+from .view_clicks import Unselect
 
 # The arrow is as long as the thickness, but never too small to be seen and clicked.
 _LEAST_LENGTH = 0.12  # of the diagonal
@@ -30,6 +31,7 @@ class SideArrow:
         self._flip = flip
         self._view = view
         self._callback = view.addEventCallback("SoMouseButtonEvent", self._on_button)
+        self._unselect = Unselect(always=False)
 
     def move(self, vertices: ArrayLike, triangles: ArrayLike) -> None:
         """Stand on another surface, once show() is called."""
@@ -50,6 +52,7 @@ class SideArrow:
             except RuntimeError:  # the view was closed
                 pass
             self._callback = None
+            self._unselect.stop()
         self._overlay.remove()
 
     def middle_on_screen(self) -> tuple[int, int]:
@@ -57,8 +60,13 @@ class SideArrow:
         return self._pixels((self._foot + self._tips[0]) / 2)
 
     def _on_button(self, event: dict[str, Any]) -> None:
-        if event["Button"] == "BUTTON1" and event["State"] == "DOWN" and self._is_near(event["Position"]):
+        if event["Button"] != "BUTTON1" or event["State"] != "DOWN":
+            return
+        if self._is_near(event["Position"]):
+            self._unselect.expect()
             self._flip()
+        else:
+            self._unselect.forget()
 
     def _is_near(self, position: tuple[int, int]) -> bool:
         click = np.asarray(position, float)

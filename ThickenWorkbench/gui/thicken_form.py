@@ -10,10 +10,15 @@ import FreeCAD as App
 from .. import params, preferences
 from ..sources import DEFAULT_DEFLECTION
 from .qt import QtCore, QtWidgets, length_box, on_value
+from .run_row import RunRow
+from .tones import tones
 
 translate = App.Qt.translate
 
 OUTPUTS = ["mesh", "solid"]
+# In the order of the lists.
+QUALITIES = ["draft", "standard", "fine", "tolerance"]
+GRIDS = ["", "cell", "resolution"]
 AUTOMATIC = -1
 
 
@@ -21,9 +26,19 @@ class ThickenForm:
     """All inputs of one panel. `changed` is called after each edit by the user."""
 
     def __init__(
-        self, title: str, thickness: float, of_shape: bool, of_mesh: bool, changed: Callable[[], None]
+        self,
+        title: str,
+        thickness: float,
+        *,
+        of_shape: bool,
+        of_mesh: bool,
+        edits: bool,
+        changed: Callable[[], None],
+        stop: Callable[[], None],
     ) -> None:
-        self._changed = changed
+        self._changed, self._stop = changed, stop
+        self.edits = edits  #: a feature that is there already
+        self.complete = False  #: until then nothing is called
         self._of_shape = of_shape
         self._quiet = False
         self.widget = QtWidgets.QWidget()
@@ -33,11 +48,12 @@ class ThickenForm:
         self.title = _named(_label(title), "Title")
         column.addWidget(self.title)
         self._add_region_row(column, of_mesh)
-        rows = QtWidgets.QFormLayout()
+        rows = _rows()
         column.addLayout(rows)
         self._add_shape_rows(rows, thickness)
         self._add_quality_rows(rows)
         self._add_switches(column)
+        self._add_advanced(column)
         self._add_run_rows(column)
         column.addStretch()
         self._show_number()
@@ -57,15 +73,23 @@ class ThickenForm:
         self.sharpest.setToolTip(translate("Thicken", "A patch ends where the surface turns by more than this"))
         self.whole = _named(QtWidgets.QPushButton(translate("Thicken", "All of it")), "Whole")
         line = QtWidgets.QHBoxLayout()
+        line.addWidget(self.sharpest)
+        line.addWidget(self.whole, 1)
         for widget in (self.pick, self.sharpest, self.whole):
-            line.addWidget(widget)
             widget.setVisible(of_mesh)
+        column.addWidget(self.pick)
         column.addLayout(line)
+        self.has_region = False
         self.show_picking(False)
 
     def show_picking(self, picking: bool) -> None:
         """The angle belongs to picking."""
         self.sharpest.setEnabled(picking)
+
+    def show_region(self, chosen: bool) -> None:
+        """Whether a part is chosen, so that there is something to go back to all of it from."""
+        self.has_region = chosen
+        self.whole.setEnabled(chosen)
 
     def _add_shape_rows(self, rows: Any, thickness: float) -> None:
         self.thickness = _named(length_box(thickness), "Thickness")
@@ -82,35 +106,79 @@ class ThickenForm:
         self.side.setToolTip(translate("Thicken", "Where the material lies; a click on the arrow in the view flips it"))
         self.flip = _named(QtWidgets.QPushButton(translate("Thicken", "Flip")), "Flip")
         self.flip.clicked.connect(self.flip_side)
-        line = QtWidgets.QHBoxLayout()
-        line.addWidget(self.side, 1)
-        line.addWidget(self.flip)
-        rows.addRow(translate("Thicken", "Side"), line)
+        both = QtWidgets.QVBoxLayout()
+        both.addWidget(self.side)
+        both.addWidget(self.flip)
+        rows.addRow(translate("Thicken", "Side"), both)
         self.output = self._choice("Output", [
             translate("Thicken", "Mesh"),
             translate("Thicken", "Part solid"),
         ])  # fmt: skip
+        if self.edits:
+            self.output.setToolTip(
+                translate("Thicken", "A Part solid is an object of its own: use the command “Part Solid”")
+            )
         rows.addRow(translate("Thicken", "Output"), self.output)
 
     def _add_quality_rows(self, rows: Any) -> None:
+        self.quality = self._choice("Quality", [
+            translate("Thicken", "Draft"),
+            translate("Thicken", "Standard"),
+            translate("Thicken", "Fine"),
+            translate("Thicken", "Within a tolerance"),
+        ])  # fmt: skip
+        self.quality.setCurrentIndex(QUALITIES.index("standard"))
+        self.quality.setToolTip(
+            translate("Thicken", "Draft makes the fewest triangles, Fine follows the thickness most closely")
+        )
+        rows.addRow(translate("Thicken", "Quality"), self.quality)
+        self.tolerance = _named(length_box(0.05), "Tolerance")
+        self.tolerance.setToolTip(
+            translate("Thicken", "The farthest that the new shell may be from where it should be; what cannot be kept is refused")
+        )
+        on_value(self.tolerance, lambda _: self._edited())
+        rows.addRow("", self.tolerance)
+        self.deflection = _named(length_box(DEFAULT_DEFLECTION), "Deflection")
+        self.deflection.setToolTip(translate("Thicken", "The farthest that the triangles of a shape may be from it"))
+        on_value(self.deflection, lambda _: self._edited())
+        if self._of_shape:
+            rows.addRow(translate("Thicken", "Deflection"), self.deflection)
+
+    def _add_advanced(self, column: Any) -> None:
+        """What only some need, folded away."""
+        self.advanced = _named(QtWidgets.QPushButton(translate("Thicken", "Advanced")), "Advanced")
+        self.advanced.setCheckable(True)
+        self.advanced_rows = QtWidgets.QWidget()
+        self.advanced.toggled.connect(self.advanced_rows.setVisible)
+        rows = _rows()
+        rows.setContentsMargins(0, 0, 0, 0)
+        self.advanced_rows.setLayout(rows)
         self.method = self._choice("Method", [
             translate("Thicken", "Automatic"),
-            translate("Thicken", "Sweep"),
-            translate("Thicken", "Reconstruct"),
+            translate("Thicken", "Moved copy only"),
+            translate("Thicken", "Rebuilt everywhere"),
         ])  # fmt: skip
+        self.method.setToolTip(
+            translate(
+                "Thicken",
+                "The shell is a moved copy of the surface, and rebuilt where that does not fit; or only one of the two",
+            )
+        )
         rows.addRow(translate("Thicken", "Method"), self.method)
-        self.quality = self._choice("Quality", [
-            translate("Thicken", "Automatic"),
+        self.grid = self._choice("Grid", [
+            translate("Thicken", "By the quality"),
             translate("Thicken", "Cell width"),
             translate("Thicken", "Resolution"),
-            translate("Thicken", "Tolerance"),
         ])  # fmt: skip
-        rows.addRow(translate("Thicken", "Quality"), self.quality)
+        self.grid.setToolTip(translate("Thicken", "The grid in which parts of the shell are rebuilt"))
+        rows.addRow(translate("Thicken", "Grid"), self.grid)
         self.length = _named(length_box(0.25), "QualityLength")
+        self.length.setToolTip(translate("Thicken", "Below half of the thickness: in larger cells both sides of the wall could meet"))
         on_value(self.length, lambda _: self._edited())
         self.cells = _named(QtWidgets.QSpinBox(), "QualityCells")
         self.cells.setRange(8, 4096)
         self.cells.setValue(128)
+        self.cells.setToolTip(translate("Thicken", "Cells along the longest side"))
         self.cells.valueChanged.connect(lambda _: self._edited())
         both = QtWidgets.QVBoxLayout()
         both.addWidget(self.length)
@@ -123,11 +191,9 @@ class ThickenForm:
         self.smooth.setToolTip(translate("Thicken", "Rounds of shape optimisation of the new surface"))
         self.smooth.valueChanged.connect(lambda _: self._edited())
         rows.addRow(translate("Thicken", "Smoothing"), self.smooth)
-        self.deflection = _named(length_box(DEFAULT_DEFLECTION), "Deflection")
-        self.deflection.setToolTip(translate("Thicken", "The farthest that the triangles of a shape may be from it"))
-        on_value(self.deflection, lambda _: self._edited())
-        if self._of_shape:
-            rows.addRow(translate("Thicken", "Deflection"), self.deflection)
+        column.addWidget(self.advanced)
+        column.addWidget(self.advanced_rows)
+        self.advanced_rows.setVisible(False)
 
     def _add_switches(self, column: Any) -> None:
         self.repair = self._switch("Repair", translate("Thicken", "Repair a defective surface first"), False)
@@ -138,32 +204,36 @@ class ThickenForm:
     def _add_run_rows(self, column: Any) -> None:
         self.forecast = _named(_label(""), "Forecast")
         self.status = _named(_label(""), "Status")
-        self.progress = _named(QtWidgets.QProgressBar(), "Progress")
-        self.progress.setRange(0, 1000)
-        self.stop = _named(QtWidgets.QPushButton(translate("Thicken", "Stop")), "Stop")
-        line = QtWidgets.QHBoxLayout()
-        line.addWidget(self.progress, 1)
-        line.addWidget(self.stop)
         for widget in (self.forecast, self.status):
             column.addWidget(widget)
-        column.addLayout(line)
+        self.run_row = RunRow(self._stop)
+        column.addWidget(self.run_row.widget)
+        self.complete = True
         self.show_running(False)
 
     # --- what the inputs are ---
 
     def inputs(self) -> dict[str, Any]:
         """By the names and in the words of make_thicken()."""
-        quality = list(params.QUALITY_NUMBER)[self.quality.currentIndex()]
-        number = self.cells.value() if quality == "Resolution" else self.length.property("rawValue")
         return {
             "thickness": float(self.thickness.property("rawValue")),
             "side": params.SIDES[self.side.currentIndex()].lower(),
             "method": params.METHODS[self.method.currentIndex()].lower(),
-            **({} if quality == "Automatic" else {quality.lower(): number}),
+            **self._quality(),
             "smooth": None if self.smooth.value() == AUTOMATIC else self.smooth.value(),
             "repair": self.repair.isChecked(),
             "deflection": float(self.deflection.property("rawValue")) if self._of_shape else None,
         }
+
+    def _quality(self) -> dict[str, Any]:
+        """The argument of make_thicken() that says how fine, if it is not the standard."""
+        if self.grid.currentIndex() > 0:
+            grid = GRIDS[self.grid.currentIndex()]
+            return {grid: self.cells.value() if grid == "resolution" else float(self.length.property("rawValue"))}
+        word = QUALITIES[self.quality.currentIndex()]
+        if word == "tolerance":
+            return {word: float(self.tolerance.property("rawValue"))}
+        return {} if word == "standard" else {"quality": word}
 
     def output_word(self) -> str:
         return OUTPUTS[self.output.currentIndex()]
@@ -178,14 +248,7 @@ class ThickenForm:
         self.thickness.setProperty("rawValue", float(inputs["thickness"]))
         self.side.setCurrentIndex([side.lower() for side in params.SIDES].index(inputs["side"]))
         self.method.setCurrentIndex([method.lower() for method in params.METHODS].index(inputs["method"]))
-        for index, name in enumerate(params.QUALITY_NUMBER):
-            if name.lower() in inputs:
-                self.quality.setCurrentIndex(index)
-                number = inputs[name.lower()]
-                if name == "Resolution":
-                    self.cells.setValue(number)
-                else:
-                    self.length.setProperty("rawValue", number)
+        self.show_quality(inputs)
         smooth = inputs.get("smooth")
         self.smooth.setValue(AUTOMATIC if smooth is None else smooth)
         self.repair.setChecked(bool(inputs.get("repair")))
@@ -193,6 +256,25 @@ class ThickenForm:
             self.deflection.setProperty("rawValue", float(inputs["deflection"]))
         self._quiet = False
         self._show_number()
+
+    def show_quality(self, inputs: dict[str, Any]) -> None:
+        """Show what _quality() returns."""
+        self.quality.setCurrentIndex(QUALITIES.index("tolerance" if "tolerance" in inputs else inputs.get("quality", "standard")))
+        self.grid.setCurrentIndex(next((k for k, name in enumerate(GRIDS) if name in inputs), 0))
+        for name, field in (("tolerance", self.tolerance), ("cell", self.length)):
+            if name in inputs:
+                field.setProperty("rawValue", inputs[name])
+        if "resolution" in inputs:
+            self.cells.setValue(inputs["resolution"])
+        if self.grid.currentIndex() or inputs["method"] != "auto" or inputs.get("smooth") is not None:
+            self.advanced.setChecked(True)
+
+    def start_with(self, side: int, output: int) -> None:
+        """Show the preferred choices, without calling `changed`."""
+        self._quiet = True
+        self.side.setCurrentIndex(side)
+        self.output.setCurrentIndex(output)
+        self._quiet = False
 
     def flip_side(self) -> None:
         """The other side; both sides become the negative one."""
@@ -202,16 +284,17 @@ class ThickenForm:
 
     def show_running(self, running: bool) -> None:
         """Progress and its button belong to a run, and nothing can be edited while it lasts."""
-        self.progress.setVisible(running)
-        self.stop.setVisible(running)
-        inputs = (self.pick, self.whole, self.thickness, self.side, self.flip, self.method, self.quality, self.length,
-                  self.cells, self.smooth, self.deflection, self.repair, self.preview)  # fmt: skip
+        self.run_row.show_running(running)
+        inputs = (self.pick, self.thickness, self.side, self.flip, self.method, self.quality, self.tolerance, self.grid,
+                  self.length, self.cells, self.smooth, self.deflection, self.repair, self.preview)  # fmt: skip
         for widget in inputs:
             widget.setEnabled(not running)
+        self.output.setEnabled(not running and not self.edits)
+        self.whole.setEnabled(not running and self.has_region)
 
     def tell(self, text: str, bad: bool = False) -> None:
         self.status.setText(text)
-        self.status.setStyleSheet("color: #c01c28" if bad else "")
+        self.status.setStyleSheet(f"color: {tones(self.title)['bad']}" if bad else "")
 
     # --- within ---
 
@@ -220,7 +303,7 @@ class ThickenForm:
         box.addItems(words)
         # Long words must not widen the whole panel.
         box.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
-        box.setMinimumContentsLength(12)
+        box.setMinimumContentsLength(8)
         box.currentIndexChanged.connect(lambda _: self._edited())
         return box
 
@@ -231,14 +314,16 @@ class ThickenForm:
         return box
 
     def _edited(self) -> None:
-        if not self._quiet and hasattr(self, "stop"):
+        if not self._quiet and self.complete:
             self._show_number()
             self._changed()
 
     def _show_number(self) -> None:
-        quality = list(params.QUALITY_NUMBER)[self.quality.currentIndex()]
-        self.length.setVisible(quality in ("Cell", "Tolerance"))
-        self.cells.setVisible(quality == "Resolution")
+        grid = GRIDS[self.grid.currentIndex()]
+        self.quality.setEnabled(grid == "")  # the grid decides
+        self.tolerance.setVisible(grid == "" and QUALITIES[self.quality.currentIndex()] == "tolerance")
+        self.length.setVisible(grid == "cell")
+        self.cells.setVisible(grid == "resolution")
 
 
 def _named(widget: Any, name: str) -> Any:
@@ -251,3 +336,10 @@ def _label(text: str) -> Any:
     label.setWordWrap(True)
     label.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
     return label
+
+
+def _rows() -> Any:
+    """Rows of fields that go below their names where the panel is narrow."""
+    rows = QtWidgets.QFormLayout()
+    rows.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
+    return rows

@@ -14,9 +14,9 @@ from typing import Any, Callable
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from .. import build, params, precomputed, prediction, preferences
+from .. import build, numbers, params, precomputed, prediction, preferences, runs
 from ..arrays import ThickenedMesh, thicken_mesh
-from ..part_solid import size_warning
+from ..part_solid import part_solid_of, size_warning
 from ..sources import DEFAULT_DEFLECTION
 from . import macro, messages
 from .camera import view_of
@@ -48,11 +48,12 @@ class ThickenPanel(Panel):
         view = view_of(self.document)
         of_shape = any(is_shape(item.source) for item in chosen)
         self._read_surfaces(DEFAULT_DEFLECTION if feature is None else feature.Deflection.Value)
-        self._job: Job | None = None
-        self._closed = False
         share = preferences.get("ThicknessPercent") / 100
         start = build.suggested_thickness(chosen[0].source, share) if feature is None else feature.Thickness.Value
-        self.form_parts = ThickenForm(self._title(), start, of_shape, self._can_pick(), self._edited)
+        self.form_parts = ThickenForm(
+            self._title(), start, of_shape=of_shape, of_mesh=self._can_pick(), edits=feature is not None,
+            changed=self._edited, stop=self._stop,
+        )  # fmt: skip
         self.form = self.form_parts.widget
         self._show_start()
         self._open_transaction()
@@ -61,30 +62,25 @@ class ThickenPanel(Panel):
         self._arrow = SideArrow(chosen[0].source, view, *self._surfaces[0], self._flip)
         self._picker: RegionPicker | None = None
         self._preview = Preview([item.source for item in chosen], self._previewed)
-        self.form_parts.stop.clicked.connect(self._stop)
         self.form_parts.pick.toggled.connect(self._pick)
         self.form_parts.sharpest.valueChanged.connect(self._sharpen)
         self.form_parts.whole.clicked.connect(lambda: self._choose(()))
-        self.form_parts.whole.setEnabled(bool(chosen[0].facets))
+        self.form_parts.show_region(bool(chosen[0].facets))
         self._edited()
 
     # --- what FreeCAD calls ---
 
     def accept(self) -> bool:
-        """Compute; the panel closes itself once the features are made."""
+        """Take the previewed solids, or compute; the panel closes itself once the features are made."""
         if self._job is None and self._inputs_make_sense():
             self.form_parts.pick.setChecked(False)
-            self._preview.cancel()
-            self._compute()
+            solids = self._preview.solids()
+            if solids is not None:
+                self._take(solids)
+            else:
+                self._preview.cancel()
+                self._compute()
         return False
-
-    def reject(self) -> bool:
-        self._close()
-        return True
-
-    def leave(self) -> None:
-        """FreeCAD has ended the edit mode by itself."""
-        self._close()
 
     # --- before OK ---
 
@@ -130,25 +126,23 @@ class ThickenPanel(Panel):
         self.chosen = [Chosen(self.chosen[0].source, facets=facets)]
         self._read_surfaces(self._deflection)
         self.form_parts.title.setText(self._title())
-        self.form_parts.whole.setEnabled(bool(facets))
+        self.form_parts.show_region(bool(facets))
         self._arrow.move(*self._surfaces[0])
         self._edited()
 
     def _title(self) -> str:
-        names = ", ".join(f"“{item.source.Label}”" for item in self.chosen[:3])
+        quoted = translate("Thicken", "“{label}”")
+        names = ", ".join(quoted.format(label=item.source.Label) for item in self.chosen[:3])
         more = "" if len(self.chosen) <= 3 else " …"
-        count = translate("Thicken", "{count} triangles").format(count=f"{self._triangles:,}")
+        count = translate("Thicken", "{count} triangles").format(count=numbers.count(self._triangles))
         return f"{names}{more}: {count}"
 
     def _show_start(self) -> None:
         if self.feature is not None:
             self.form_parts.set_inputs(_inputs_of(self.feature))
-            self.form_parts.output.setEnabled(False)  # a solid of Part is an object of its own
+            self.form_parts.output.setCurrentIndex(0 if part_solid_of(self.feature) is None else 1)
             return
-        self.form_parts._quiet = True
-        self.form_parts.side.setCurrentIndex(preferences.get("Side"))
-        self.form_parts.output.setCurrentIndex(preferences.get("Output"))
-        self.form_parts._quiet = False
+        self.form_parts.start_with(preferences.get("Side"), preferences.get("Output"))
 
     def _open_transaction(self) -> None:
         """So that Cancel takes back what an expression did, which FreeCAD's own field sets at once."""
@@ -171,7 +165,7 @@ class ThickenPanel(Panel):
             self._read_surfaces(inputs["deflection"])
         seconds, memory = prediction.forecast(self._triangles, inputs["side"]).sentence()
         forecast = translate("Thicken", "OK will take about {seconds} and {memory} of memory.")
-        parts.forecast.setText(forecast.format(seconds=seconds, memory=memory) + self._warning_of_size())
+        self._show_forecast(forecast.format(seconds=seconds, memory=memory))
         self._arrow.show(inputs["side"], inputs["thickness"])
         self._preview.cancel()
         if self._picker is not None:
@@ -188,12 +182,28 @@ class ThickenPanel(Panel):
         else:
             self._preview.hide()
 
+    def _show_forecast(self, text: str) -> None:
+        told = [text, self._question_of_unit(), self._warning_of_size()]
+        self.form_parts.forecast.setText("\n".join(filter(None, told)))
+
     def _warning_of_size(self) -> str:
-        """What Part will make of a large solid: it has the surface's triangles and about as many new ones."""
+        """What Part will make of a large solid: the previewed one, or one with about as many new triangles."""
         if self.form_parts.output_word() == OUTPUTS[0]:
             return ""
-        warning = size_warning(2 * self._triangles)
-        return f"\n{warning}" if warning else ""
+        solids = self._preview.solids()
+        return size_warning(2 * self._triangles if solids is None else sum(len(solid.triangles) for solid in solids))
+
+    def _question_of_unit(self) -> str:
+        """Whether the surface is in another unit, where it is hardly in millimetres."""
+        for item in self.chosen:
+            unit = build.likely_unit(item.source)
+            if unit is not None:
+                ask = translate(
+                    "Thicken", "“{label}” is {length} mm long. Is it in {unit}? Then scale it first: lengths here are mm."
+                )
+                length = numbers.number(build.diagonal(item.source))
+                return ask.format(label=item.source.Label, length=length, unit=unit)
+        return ""
 
     def _inputs_make_sense(self) -> bool:
         inputs = self.form_parts.inputs()
@@ -211,12 +221,22 @@ class ThickenPanel(Panel):
 
     def _previewed(self, solids: list[ThickenedMesh], error: BaseException | None) -> None:
         if error is not None:
-            self.form_parts.tell(messages.sentences(error), bad=True)
+            self.form_parts.tell(self._advice(error), bad=True)
             return
         self._learn(solids)
         lines = [translate("Thicken", "Preview: {numbers}.").format(numbers=messages.numbers(s)) for s in solids]
-        lines += [warning[:1].upper() + warning[1:] + "." for s in solids for warning in s.report["warnings"]]
+        self._show_forecast(translate("Thicken", "OK makes this solid at once."))
+        lines += [messages.warning(w) for s in solids for w in s.report["warnings"]]
         self.form_parts.tell("\n".join(lines))
+
+    def _advice(self, error: BaseException) -> str:
+        """What an error says, where in the document, and what of this workbench helps."""
+        defects = getattr(error, "defects", ())
+        if not defects:
+            return messages.sentences(error)
+        text = runs.sentences(error, self.chosen[0].source) if len(self.chosen) == 1 else messages.sentences(error)
+        helps = translate("Thicken", "“Check Surface” marks the places; “Repair a defective surface first” above mends them.")
+        return f"{text}\n{helps}"
 
     def _learn(self, solids: list[ThickenedMesh]) -> None:
         side = self.form_parts.inputs()["side"]
@@ -229,14 +249,10 @@ class ThickenPanel(Panel):
         def step(surface: Any, arguments: dict[str, Any]) -> Callable[[Any], ThickenedMesh]:
             return lambda context: thicken_mesh(*surface, **arguments, **limits, context=context)
 
-        limits = build.limits()
+        limits = {"threads": runs.threads(), "memory": runs.memory()}
         self.form_parts.show_running(True)
         self.form_parts.tell(translate("Thicken", "Computing …"))
-        self._job = Job([step(*run) for run in self._runs()], self._computed, self._progressed).start()
-
-    def _progressed(self, share: float, stage: str) -> None:
-        self.form_parts.progress.setValue(int(1000 * share))
-        self.form_parts.progress.setFormat(f"{stage}: %p %")
+        self._job = Job([step(*run) for run in self._runs()], self._computed, self.form_parts.run_row.progressed).start()
 
     def _stop(self) -> None:
         if self._job is not None:
@@ -249,20 +265,24 @@ class ThickenPanel(Panel):
         if job.cancelled or messages.was_cancelled(job.error):
             self.form_parts.tell(translate("Thicken", "Stopped. The document is as it was."))
         elif job.error is not None:
-            self.form_parts.tell(messages.sentences(job.error), bad=True)
+            self.form_parts.tell(self._advice(job.error), bad=True)
         else:
             self._learn(job.results)
-            for run, solid in zip(self._runs(), job.results):
-                precomputed.offer(*run, solid)
-            try:
-                self._commit()
-            finally:
-                precomputed.withdraw()
+            self._take(job.results)
+
+    def _take(self, solids: list[ThickenedMesh]) -> None:
+        """Make the features with solids that are there already."""
+        for run, solid in zip(self._runs(), solids):
+            precomputed.offer(*run, solid)
+        try:
+            self._commit()
+        finally:
+            precomputed.withdraw()
 
     def _commit(self) -> None:
         """Make the features by lines that a macro can repeat, as one step of undo."""
         lines = self._edit_lines() if self.feature is not None else self._make_lines()
-        self._close()
+        self.close()
         self.document.openTransaction(translate("Thicken", "Thicken"))
         for line in lines:
             macro.run(line)
@@ -308,7 +328,7 @@ class ThickenPanel(Panel):
         self._preview.remove()
         self._arrow.remove()
 
-    def _close(self) -> None:
+    def close(self) -> None:
         """Leave nothing behind: neither in the view nor in the document."""
         if self._closed:
             return
@@ -338,18 +358,27 @@ def _inputs_of(feature: Any) -> dict[str, Any]:
     """The inputs of a feature, as ThickenForm.inputs() has them."""
     found = params.arguments(feature)
     found.pop("precision")
+    word = feature.Quality.lower()
+    if word in params.QUALITIES:
+        found.pop("cell", None)
+        found |= {} if word == "standard" else {"quality": word}
     deflection = feature.Deflection.Value if is_shape(feature.Source) else None
     return {"smooth": None, **found, "deflection": deflection}
+
+
+def _quality_of(inputs: dict[str, Any]) -> str:
+    """The property Quality for the inputs of a form."""
+    number = next((word for word in ("cell", "resolution", "tolerance") if word in inputs), None)
+    return (number or inputs.get("quality", "standard")).capitalize()
 
 
 def _changes(before: dict[str, Any], after: dict[str, Any]) -> list[tuple[str, Any]]:
     """Properties to set, as name or word and value."""
     changes: list[tuple[str, Any]] = []
-    quality = next((word for word in ("cell", "resolution", "tolerance") if word in after), None)
-    if quality != next((word for word in ("cell", "resolution", "tolerance") if word in before), None):
-        changes.append(("Quality", quality.capitalize() if quality else "Automatic"))
+    if _quality_of(before) != _quality_of(after):
+        changes.append(("Quality", _quality_of(after)))
     for word, value in after.items():
-        if before.get(word) == value:
+        if before.get(word) == value or word == "quality":
             continue
         if word in ("side", "method"):
             changes.append((word, str(value).capitalize()))

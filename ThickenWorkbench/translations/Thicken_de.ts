@@ -38,15 +38,12 @@
         <translation>Dreieck</translation>
     </message>
     <message>
-        <source>at ({x}, {y}, {z})</source>
-        <translation>bei ({x}, {y}, {z})</translation>
-    </message>
-    <message>
         <source>The direction in which the part grows while it is printed</source>
         <translation>Die Richtung, in der das Teil beim Drucken wächst</translation>
     </message>
     <message>
         <source>Drain holes</source>
+        <extracomment>the holes of the inputs that are shown; None while they are computed</extracomment>
         <translation>Ablauflöcher</translation>
     </message>
     <message>
@@ -110,10 +107,6 @@
         <translation>„{label}“ wurde nach {path} geschrieben, wieder gelesen und als gültig bewiesen: {triangles} Dreiecke, {volume} ml.</translation>
     </message>
     <message>
-        <source>For printing (*.stl *.3mf)</source>
-        <translation>Zum Drucken (*.stl *.3mf)</translation>
-    </message>
-    <message>
         <source>The longer a bar, the more of the area has this value (square roots)</source>
         <translation>Je länger ein Balken, desto mehr von der Fläche hat diesen Wert (Quadratwurzeln)</translation>
     </message>
@@ -155,16 +148,12 @@
         <translation>Thicken kann nicht rechnen</translation>
     </message>
     <message>
-        <source>{volume} mL, thinnest wall {wall} mm</source>
-        <translation>{volume} ml, dünnste Wand {wall} mm</translation>
-    </message>
-    <message>
         <source>Repair surface</source>
-        <extracomment>degrees: what a patch ends at</extracomment>
         <translation>Fläche reparieren</translation>
     </message>
     <message>
         <source>Repair Surface</source>
+        <extracomment>degrees: what a patch ends at</extracomment>
         <translation>Fläche reparieren</translation>
     </message>
     <message>
@@ -173,7 +162,7 @@
     </message>
     <message>
         <source>Printability Report</source>
-        <extracomment>of the inputs that are shown; None while it is computed</extracomment>
+        <extracomment>what the report and its page are made from</extracomment>
         <translation>Druckbarkeitsbericht</translation>
     </message>
     <message>
@@ -181,24 +170,12 @@
         <translation>Dünnste druckbare Wand</translation>
     </message>
     <message>
-        <source>Save …</source>
-        <translation>Speichern …</translation>
-    </message>
-    <message>
         <source>Save the report</source>
         <translation>Bericht speichern</translation>
     </message>
     <message>
-        <source>Page with pictures (*.html);;Data (*.json)</source>
-        <translation>Seite mit Bildern (*.html);;Daten (*.json)</translation>
-    </message>
-    <message>
         <source>Ready to print</source>
         <translation>Bereit zum Drucken</translation>
-    </message>
-    <message>
-        <source>Heed before printing</source>
-        <translation>Vor dem Drucken zu beachten</translation>
     </message>
     <message>
         <source>Size</source>
@@ -238,6 +215,7 @@
     </message>
     <message>
         <source>Thicken</source>
+        <extracomment>until then nothing is called</extracomment>
         <translation>Verdicken</translation>
     </message>
     <message>
@@ -305,14 +283,6 @@
         <translation>Automatisch</translation>
     </message>
     <message>
-        <source>Sweep</source>
-        <translation>Sweep</translation>
-    </message>
-    <message>
-        <source>Reconstruct</source>
-        <translation>Rekonstruieren</translation>
-    </message>
-    <message>
         <source>Method</source>
         <translation>Verfahren</translation>
     </message>
@@ -323,10 +293,6 @@
     <message>
         <source>Resolution</source>
         <translation>Auflösung</translation>
-    </message>
-    <message>
-        <source>Tolerance</source>
-        <translation>Toleranz</translation>
     </message>
     <message>
         <source>Quality</source>
@@ -350,7 +316,7 @@
     </message>
     <message>
         <source>Repair a defective surface first</source>
-        <translation>Eine fehlerhafte Fläche zuerst reparieren</translation>
+        <translation>Fehler zuerst reparieren</translation>
     </message>
     <message>
         <source>Preview</source>
@@ -410,7 +376,441 @@
     </message>
     <message>
         <source>The document has no 3D view. Open one: View ▸ Create new view.</source>
+        <extracomment>global: the middle of the facet with the minimum</extracomment>
         <translation>Das Dokument hat keine 3D-Ansicht. Bitte eine öffnen: Ansicht ▸ Neue Ansicht.</translation>
+    </message>
+    <message>
+        <source>The mesh is no valid solid: {defect}.</source>
+        <extracomment>m: whether the facet bounds a cavity</extracomment>
+        <translation>Das Netz ist kein gültiger Körper: {defect}.</translation>
+    </message>
+    <message>
+        <source>{area} mm² of the walls ({share}) are thinner than {least} mm, the thinnest {mm} mm at {place}.</source>
+        <translation>{area} mm² der Wände ({share}) sind dünner als {least} mm, am dünnsten mit {mm} mm bei {place}.</translation>
+    </message>
+    <message>
+        <source>A closed cavity traps {volume} mL; its lowest point is at {place}. Add drain holes.</source>
+        <translation>Ein geschlossener Hohlraum schließt {volume} mL ein; sein tiefster Punkt ist bei {place}. Bitte Ablauflöcher hinzufügen.</translation>
+    </message>
+    <message>
+        <source>{volume} mL of resin stay {depth} mm deep below the holes of a cavity, at {place}. Add a hole lower down.</source>
+        <translation>{volume} mL Harz bleiben {depth} mm tief unter den Löchern eines Hohlraums stehen, bei {place}. Bitte weiter unten ein Loch hinzufügen.</translation>
+    </message>
+    <message>
+        <source>Corners moved onto a corner nearby</source>
+        <extracomment>Of the properties. migrations[n] turns an object of schema n into one of n + 1.</extracomment>
+        <translation>Ecken, die auf eine nahe Ecke gerückt wurden</translation>
+    </message>
+    <message>
+        <source>Triangles with a corner that is no number, removed</source>
+        <translation>Entfernte Dreiecke mit einer Ecke, die keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>Triangles without area, removed</source>
+        <translation>Entfernte Dreiecke ohne Fläche</translation>
+    </message>
+    <message>
+        <source>Repeated triangles, removed</source>
+        <translation>Entfernte wiederholte Dreiecke</translation>
+    </message>
+    <message>
+        <source>Triangles divided at a corner on one of their edges</source>
+        <translation>Dreiecke, die an einer Ecke auf einer ihrer Kanten geteilt wurden</translation>
+    </message>
+    <message>
+        <source>Triangles turned over</source>
+        <translation>Umgedrehte Dreiecke</translation>
+    </message>
+    <message>
+        <source>Triangles removed where more than two met at an edge</source>
+        <translation>Entfernte Dreiecke, wo mehr als zwei an einer Kante lagen</translation>
+    </message>
+    <message>
+        <source>Triangles removed to cut a one-sided part open</source>
+        <translation>Entfernte Dreiecke, um einen einseitigen Teil aufzuschneiden</translation>
+    </message>
+    <message>
+        <source>Triangles removed that met others</source>
+        <translation>Entfernte Dreiecke, die andere schnitten</translation>
+    </message>
+    <message>
+        <source>Triangles removed where parts touched in a point only</source>
+        <translation>Entfernte Dreiecke, wo sich Teile nur in einem Punkt berührten</translation>
+    </message>
+    <message>
+        <source>Triangles removed in a fold or gap with no room for a wall</source>
+        <translation>Entfernte Dreiecke in einer Falte oder Lücke ohne Platz für eine Wand</translation>
+    </message>
+    <message>
+        <source>{what}: {count}, the first at {place}.</source>
+        <translation>{what}: {count}, das erste Mal bei {place}.</translation>
+    </message>
+    <message>
+        <source>Nothing stands against printing it.</source>
+        <translation>Nichts spricht dagegen, es zu drucken.</translation>
+    </message>
+    <message>
+        <source>Printability of {object}</source>
+        <translation>Druckbarkeit von {object}</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>{height} mm, along {direction}</source>
+        <translation>{height} mm, entlang {direction}</translation>
+    </message>
+    <message>
+        <source>Height while printing</source>
+        <translation>Höhe beim Drucken</translation>
+    </message>
+    <message>
+        <source>yes, proved with exact predicates</source>
+        <translation>ja, mit exakten Prädikaten bewiesen</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>Valid solid</source>
+        <translation>Gültiger Körper</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Overhangs beyond {angle}°</source>
+        <translation>Überhänge über {angle}°</translation>
+    </message>
+    <message>
+        <source>{area} mm², {share} of the surface</source>
+        <translation>{area} mm², {share} der Oberfläche</translation>
+    </message>
+    <message>
+        <source>{mm} mm at {place}</source>
+        <translation>{mm} mm bei {place}</translation>
+    </message>
+    <message>
+        <source>Walls below {least} mm</source>
+        <translation>Wände unter {least} mm</translation>
+    </message>
+    <message>
+        <source>{share} of the area</source>
+        <translation>{share} der Fläche</translation>
+    </message>
+    <message>
+        <source>{volume} mL, lowest at {place}</source>
+        <translation>{volume} mL, am tiefsten bei {place}</translation>
+    </message>
+    <message>
+        <source>Closed cavity {number}</source>
+        <translation>Geschlossener Hohlraum {number}</translation>
+    </message>
+    <message>
+        <source>Closed cavities</source>
+        <translation>Geschlossene Hohlräume</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Stays below holes</source>
+        <translation>Bleibt unter Löchern</translation>
+    </message>
+    <message>
+        <source>There are none: {reason}. They need Pillow.</source>
+        <translation>Es gibt keine: {reason}. Sie brauchen Pillow.</translation>
+    </message>
+    <message>
+        <source>From above.</source>
+        <translation>Von oben.</translation>
+    </message>
+    <message>
+        <source>From below. {colour} needs support.</source>
+        <translation>Von unten. {colour} braucht Stützen.</translation>
+    </message>
+    <message>
+        <source>Cut through the middle. {colour} closed cavities.</source>
+        <translation>Durch die Mitte geschnitten. {colour} geschlossene Hohlräume.</translation>
+    </message>
+    <message>
+        <source>Walls: {thin} below {least} mm, {thick} {most} mm and more, {plain} not measured.</source>
+        <translation>Wände: {thin} unter {least} mm, {thick} {most} mm und mehr, {plain} nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>No triangles</source>
+        <translation>Keine Dreiecke</translation>
+    </message>
+    <message>
+        <source>Coordinates that are no numbers</source>
+        <translation>Koordinaten, die keine Zahlen sind</translation>
+    </message>
+    <message>
+        <source>Triangles without area</source>
+        <translation>Dreiecke ohne Fläche</translation>
+    </message>
+    <message>
+        <source>Edges or points where the surface branches</source>
+        <translation>Kanten oder Punkte, an denen sich die Fläche verzweigt</translation>
+    </message>
+    <message>
+        <source>Neighbours that face opposite ways</source>
+        <translation>Nachbarn, die entgegengesetzt orientiert sind</translation>
+    </message>
+    <message>
+        <source>Triangles that cross</source>
+        <translation>Dreiecke, die sich schneiden</translation>
+    </message>
+    <message>
+        <source>at {place}</source>
+        <translation>bei {place}</translation>
+    </message>
+    <message>
+        <source>One place chosen by a click.</source>
+        <translation>Eine Stelle durch einen Klick gewählt.</translation>
+    </message>
+    <message>
+        <source>Stereolithography (*.stl)</source>
+        <translation>Stereolithografie (*.stl)</translation>
+    </message>
+    <message>
+        <source>3D Manufacturing Format (*.3mf)</source>
+        <translation>3D Manufacturing Format (*.3mf)</translation>
+    </message>
+    <message>
+        <source>“{label}” is a link. Select the object that it links to, “{linked}”, or make a copy of that where the link is.</source>
+        <translation>„{label}“ ist eine Verknüpfung. Bitte das verknüpfte Objekt „{linked}“ auswählen oder davon eine Kopie an der Stelle der Verknüpfung machen.</translation>
+    </message>
+    <message>
+        <source>A link is selected</source>
+        <translation>Eine Verknüpfung ist ausgewählt</translation>
+    </message>
+    <message>
+        <source>{volume} mL, {triangles} triangles, thinnest wall {wall} mm</source>
+        <translation>{volume} mL, {triangles} Dreiecke, dünnste Wand {wall} mm</translation>
+    </message>
+    <message>
+        <source>Weld corners of rims automatically</source>
+        <translation>Ecken von Rändern automatisch verschweißen</translation>
+    </message>
+    <message>
+        <source>The farthest that corners of rims may be apart to become one</source>
+        <translation>Wie weit Ecken von Rändern höchstens auseinanderliegen dürfen, um eine zu werden</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>Speichern...</translation>
+    </message>
+    <message>
+        <source>Page with pictures (*.html)</source>
+        <translation>Seite mit Bildern (*.html)</translation>
+    </message>
+    <message>
+        <source>Data (*.json)</source>
+        <translation>Daten (*.json)</translation>
+    </message>
+    <message>
+        <source>Written: {path}</source>
+        <translation>Geschrieben: {path}</translation>
+    </message>
+    <message>
+        <source>Written: {path}, and the same facts as data in {data}</source>
+        <translation>Geschrieben: {path}, und dieselben Angaben als Daten in {data}</translation>
+    </message>
+    <message>
+        <source>To mend before printing</source>
+        <translation>Vor dem Drucken zu beheben</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Angehalten.</translation>
+    </message>
+    <message>
+        <source>Part Solid</source>
+        <translation>Part-Festkörper</translation>
+    </message>
+    <message>
+        <source>Working</source>
+        <translation>In Arbeit</translation>
+    </message>
+    <message>
+        <source>Checking the surface</source>
+        <translation>Fläche prüfen</translation>
+    </message>
+    <message>
+        <source>Building the shell</source>
+        <translation>Schale bilden</translation>
+    </message>
+    <message>
+        <source>Measuring distances</source>
+        <translation>Abstände messen</translation>
+    </message>
+    <message>
+        <source>Rebuilding parts of the shell</source>
+        <translation>Teile der Schale neu bilden</translation>
+    </message>
+    <message>
+        <source>Smoothing the shell</source>
+        <translation>Schale glätten</translation>
+    </message>
+    <message>
+        <source>Joining the parts</source>
+        <translation>Teile verbinden</translation>
+    </message>
+    <message>
+        <source>Proving the solid</source>
+        <translation>Körper prüfen</translation>
+    </message>
+    <message>
+        <source>Measuring</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>A Part solid is an object of its own: use the command “Part Solid”</source>
+        <translation>Ein Part-Festkörper ist ein eigenes Objekt: bitte den Befehl „Part-Festkörper“ verwenden</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <translation>Entwurf</translation>
+    </message>
+    <message>
+        <source>Standard</source>
+        <translation>Standard</translation>
+    </message>
+    <message>
+        <source>Fine</source>
+        <translation>Fein</translation>
+    </message>
+    <message>
+        <source>Within a tolerance</source>
+        <translation>Mit Toleranz</translation>
+    </message>
+    <message>
+        <source>Draft makes the fewest triangles, Fine follows the thickness most closely</source>
+        <translation>Entwurf macht die wenigsten Dreiecke, Fein folgt der Dicke am genauesten</translation>
+    </message>
+    <message>
+        <source>The farthest that the new shell may be from where it should be; what cannot be kept is refused</source>
+        <translation>Wie weit die neue Schale höchstens von ihrem Ort abweichen darf; was nicht einzuhalten ist, wird abgelehnt</translation>
+    </message>
+    <message>
+        <source>Advanced</source>
+        <translation>Erweitert</translation>
+    </message>
+    <message>
+        <source>Moved copy only</source>
+        <translation>Nur versetzte Kopie</translation>
+    </message>
+    <message>
+        <source>Rebuilt everywhere</source>
+        <translation>Überall neu gebildet</translation>
+    </message>
+    <message>
+        <source>The shell is a moved copy of the surface, and rebuilt where that does not fit; or only one of the two</source>
+        <translation>Die Schale ist eine versetzte Kopie der Fläche und wird neu gebildet, wo das nicht passt; oder nur eines von beiden</translation>
+    </message>
+    <message>
+        <source>By the quality</source>
+        <translation>Nach der Güte</translation>
+    </message>
+    <message>
+        <source>The grid in which parts of the shell are rebuilt</source>
+        <translation>Das Gitter, in dem Teile der Schale neu gebildet werden</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Gitter</translation>
+    </message>
+    <message>
+        <source>Below half of the thickness: in larger cells both sides of the wall could meet</source>
+        <translation>Unter der halben Dicke: In größeren Zellen könnten beide Seiten der Wand zusammentreffen</translation>
+    </message>
+    <message>
+        <source>Cells along the longest side</source>
+        <translation>Zellen entlang der längsten Seite</translation>
+    </message>
+    <message>
+        <source>“{label}” is {length} mm long. Is it in {unit}? Then scale it first: lengths here are mm.</source>
+        <translation>„{label}“ ist {length} mm lang. Sind die Längen in {unit}? Dann bitte zuerst skalieren: Hier gelten mm.</translation>
+    </message>
+    <message>
+        <source>“Check Surface” marks the places; “Repair a defective surface first” above mends them.</source>
+        <translation>„Fläche prüfen“ markiert die Stellen; „Fehler zuerst reparieren“ oben behebt sie.</translation>
+    </message>
+    <message>
+        <source>Cavities that stay closed: {count}, of {volumes} mL.</source>
+        <extracomment>what is known of the solid</extracomment>
+        <translation>Hohlräume, die geschlossen bleiben: {count}, mit {volumes} mL.</translation>
+    </message>
+    <message>
+        <source>The solid has no cavity, so that nothing is trapped in it. Give places to drill it all the same.</source>
+        <extracomment>threads and context of the library&apos;s functions</extracomment>
+        <translation>Der Körper hat keinen Hohlraum, nichts ist darin eingeschlossen. Um ihn trotzdem zu bohren, bitte Stellen angeben.</translation>
+    </message>
+    <message>
+        <source>A cavity of {volume} mL got {some} of {all} holes.</source>
+        <translation>Ein Hohlraum von {volume} mL bekam {some} von {all} Löchern.</translation>
+    </message>
+    <message>
+        <source>no hole could be drilled lower down</source>
+        <translation>weiter unten ließ sich kein Loch bohren</translation>
+    </message>
+    <message>
+        <source>place a hole lower down</source>
+        <translation>bitte weiter unten ein Loch setzen</translation>
+    </message>
+    <message>
+        <source>{depth} mm of resin, about {volume} mL, stay below the lowest hole of a cavity of {all} mL: {advice}.</source>
+        <translation>{depth} mm Harz, etwa {volume} mL, bleiben unter dem tiefsten Loch eines Hohlraums von {all} mL: {advice}.</translation>
+    </message>
+    <message>
+        <source>There is no room for a hole: choose a smaller diameter or fewer holes.</source>
+        <translation>Für ein Loch ist kein Platz: bitte einen kleineren Durchmesser oder weniger Löcher wählen.</translation>
+    </message>
+    <message>
+        <source>{triangles} triangles take about {needed} MiB, and the preferences allow {limit} MiB. Allow more there, or simplify the mesh.</source>
+        <translation>{triangles} Dreiecke brauchen etwa {needed} MiB, die Einstellungen erlauben {limit} MiB. Bitte dort mehr erlauben oder das Netz vereinfachen.</translation>
+    </message>
+    <message>
+        <source>in the document the first place is at {place}</source>
+        <translation>im Dokument liegt die erste Stelle bei {place}</translation>
+    </message>
+    <message>
+        <source>No surface is chosen. Set Source to a mesh object or to a shape with faces.</source>
+        <translation>Keine Fläche ist gewählt. Bitte Source auf ein Netz oder eine Form mit Flächen setzen.</translation>
+    </message>
+    <message>
+        <source>“{label}” is a link. Choose the object that it links to, “{linked}”, or a copy of that.</source>
+        <translation>„{label}“ ist eine Verknüpfung. Bitte das verknüpfte Objekt „{linked}“ oder eine Kopie davon wählen.</translation>
+    </message>
+    <message>
+        <source>“{label}” is neither a mesh nor a shape with faces. Choose one that is.</source>
+        <translation>„{label}“ ist weder ein Netz noch eine Form mit Flächen. Bitte eines davon wählen.</translation>
+    </message>
+    <message>
+        <source>“{label}” has no triangles: there is nothing to thicken. Choose another mesh.</source>
+        <translation>„{label}“ hat keine Dreiecke: Es gibt nichts zu verdicken. Bitte ein anderes Netz wählen.</translation>
+    </message>
+    <message>
+        <source>A Part solid of {faces} faces takes about {seconds} s to make, and a check or a cut of it {later} s. A mesh is enough for printing; choose a coarser quality, or merge coplanar facets, if a solid is needed.</source>
+        <extracomment>a result: the path of its value in the report (docs/report.md)</extracomment>
+        <translation>Ein Part-Festkörper aus {faces} Flächen braucht etwa {seconds} s, eine Prüfung oder ein Schnitt damit {later} s. Zum Drucken genügt ein Netz; sonst bitte eine gröbere Güte wählen oder ebene Nachbarn vereinigen.</translation>
+    </message>
+    <message>
+        <source>OK makes this solid at once.</source>
+        <translation>OK macht diesen Körper sofort.</translation>
+    </message>
+    <message>
+        <source>“{label}”</source>
+        <translation>„{label}“</translation>
+    </message>
+    <message>
+        <source>“{label}” is a link that scales. Make a copy of “{linked}” in that size instead.</source>
+        <translation>„{label}“ ist eine Verknüpfung mit Skalierung. Bitte stattdessen eine Kopie von „{linked}“ in dieser Größe machen.</translation>
     </message>
 </context>
 <context>
@@ -538,10 +938,6 @@
 <context>
     <name>Thicken_Drain</name>
     <message>
-        <source>Drain Holes …</source>
-        <translation>Ablauflöcher …</translation>
-    </message>
-    <message>
         <source>Let resin out of the cavities of a solid</source>
         <translation>Harz aus den Hohlräumen eines Körpers ablaufen lassen</translation>
     </message>
@@ -549,13 +945,13 @@
         <source>Select a solid. Holes are placed at the lowest points of each cavity for a print direction, or where you click.</source>
         <translation>Einen Körper auswählen. Löcher kommen an die tiefsten Stellen jedes Hohlraums bezüglich der Druckrichtung oder an angeklickte Stellen.</translation>
     </message>
+    <message>
+        <source>Drain Holes...</source>
+        <translation>Ablauflöcher...</translation>
+    </message>
 </context>
 <context>
     <name>Thicken_Export</name>
-    <message>
-        <source>Export for Printing …</source>
-        <translation>Zum Drucken exportieren …</translation>
-    </message>
     <message>
         <source>Write a solid as STL or 3MF, read it again and judge it</source>
         <translation>Einen Körper als STL oder 3MF schreiben, wieder lesen und beurteilen</translation>
@@ -564,14 +960,13 @@
         <source>Select a solid. The file is written whole or not at all, in millimetres, and what is in it is proved valid.</source>
         <translation>Einen Körper auswählen. Die Datei wird ganz oder gar nicht geschrieben, in Millimetern, und ihr Inhalt ist als gültig bewiesen.</translation>
     </message>
+    <message>
+        <source>Export for Printing...</source>
+        <translation>Zum Drucken exportieren...</translation>
+    </message>
 </context>
 <context>
     <name>Thicken_Make</name>
-    <message>
-        <source>Thicken …</source>
-        <extracomment>of a mesh: indices</extracomment>
-        <translation>Verdicken …</translation>
-    </message>
     <message>
         <source>Turn the selected open surfaces into printable solids</source>
         <translation>Ausgewählte offene Flächen zu druckbaren Körpern machen</translation>
@@ -579,6 +974,11 @@
     <message>
         <source>Select meshes, shapes or faces. A panel asks for the thickness and the side and previews the solid, which keeps every triangle of the surface and follows it afterwards.</source>
         <translation>Netze, Formen oder Flächen auswählen. Eine Aufgabe fragt nach Dicke und Seite und zeigt den Körper in der Vorschau; er behält jedes Dreieck der Fläche und folgt ihr danach.</translation>
+    </message>
+    <message>
+        <source>Thicken...</source>
+        <extracomment>the module here and its class</extracomment>
+        <translation>Verdicken...</translation>
     </message>
 </context>
 <context>
@@ -614,16 +1014,46 @@
 <context>
     <name>Thicken_Report</name>
     <message>
-        <source>Printability Report …</source>
-        <translation>Druckbarkeitsbericht …</translation>
-    </message>
-    <message>
         <source>Volume, thinnest wall, trapped resin and overhangs of a solid</source>
         <translation>Volumen, dünnste Wand, eingeschlossenes Harz und Überhänge eines Körpers</translation>
     </message>
     <message>
         <source>Select a solid. The facts are shown, and can be saved as a page with pictures or as JSON.</source>
         <translation>Einen Körper auswählen. Die Angaben werden gezeigt und können als Seite mit Bildern oder als JSON gespeichert werden.</translation>
+    </message>
+    <message>
+        <source>Printability Report...</source>
+        <translation>Druckbarkeitsbericht...</translation>
+    </message>
+</context>
+<context>
+    <name>Thicken_Solid</name>
+    <message>
+        <source>Part Solid</source>
+        <translation>Part-Festkörper</translation>
+    </message>
+    <message>
+        <source>Make a solid of Part from a closed mesh; it follows the mesh</source>
+        <translation>Aus einem geschlossenen Netz einen Festkörper von Part machen; er folgt dem Netz</translation>
+    </message>
+    <message>
+        <source>Select thickened or drained solids, or other closed meshes. Each gets a solid with a planar face for each triangle.</source>
+        <translation>Verdickte oder gelochte Körper oder andere geschlossene Netze auswählen. Jedes bekommt einen Festkörper mit einer ebenen Fläche je Dreieck.</translation>
+    </message>
+</context>
+<context>
+    <name>Thicken_Stop</name>
+    <message>
+        <source>Stop Computing</source>
+        <translation>Rechnung anhalten</translation>
+    </message>
+    <message>
+        <source>Stop whatever Thicken computes at the moment</source>
+        <translation>Anhalten, was Thicken gerade rechnet</translation>
+    </message>
+    <message>
+        <source>A feature that was being recomputed is without a solid until the next recompute.</source>
+        <translation>Ein Objekt, das neu berechnet wurde, ist bis zur nächsten Neuberechnung ohne Körper.</translation>
     </message>
 </context>
 </TS>

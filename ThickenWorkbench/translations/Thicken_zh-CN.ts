@@ -38,15 +38,12 @@
         <translation>三角形</translation>
     </message>
     <message>
-        <source>at ({x}, {y}, {z})</source>
-        <translation>位于 ({x}, {y}, {z})</translation>
-    </message>
-    <message>
         <source>The direction in which the part grows while it is printed</source>
         <translation>打印时零件生长的方向</translation>
     </message>
     <message>
         <source>Drain holes</source>
+        <extracomment>the holes of the inputs that are shown; None while they are computed</extracomment>
         <translation>排液孔</translation>
     </message>
     <message>
@@ -110,10 +107,6 @@
         <translation>“{label}”已写入 {path}，重新读取并证明有效：{triangles} 个三角形，{volume} mL。</translation>
     </message>
     <message>
-        <source>For printing (*.stl *.3mf)</source>
-        <translation>用于打印 (*.stl *.3mf)</translation>
-    </message>
-    <message>
         <source>The longer a bar, the more of the area has this value (square roots)</source>
         <translation>条越长，具有该值的面积越大（平方根）</translation>
     </message>
@@ -155,16 +148,12 @@
         <translation>Thicken 无法计算</translation>
     </message>
     <message>
-        <source>{volume} mL, thinnest wall {wall} mm</source>
-        <translation>{volume} mL，最薄壁 {wall} mm</translation>
-    </message>
-    <message>
         <source>Repair surface</source>
-        <extracomment>degrees: what a patch ends at</extracomment>
         <translation>修复曲面</translation>
     </message>
     <message>
         <source>Repair Surface</source>
+        <extracomment>degrees: what a patch ends at</extracomment>
         <translation>修复曲面</translation>
     </message>
     <message>
@@ -173,7 +162,7 @@
     </message>
     <message>
         <source>Printability Report</source>
-        <extracomment>of the inputs that are shown; None while it is computed</extracomment>
+        <extracomment>what the report and its page are made from</extracomment>
         <translation>可打印性报告</translation>
     </message>
     <message>
@@ -181,24 +170,12 @@
         <translation>可打印的最薄壁</translation>
     </message>
     <message>
-        <source>Save …</source>
-        <translation>保存…</translation>
-    </message>
-    <message>
         <source>Save the report</source>
         <translation>保存报告</translation>
     </message>
     <message>
-        <source>Page with pictures (*.html);;Data (*.json)</source>
-        <translation>带图片的页面 (*.html);;数据 (*.json)</translation>
-    </message>
-    <message>
         <source>Ready to print</source>
         <translation>可以打印</translation>
-    </message>
-    <message>
-        <source>Heed before printing</source>
-        <translation>打印前请注意</translation>
     </message>
     <message>
         <source>Size</source>
@@ -238,6 +215,7 @@
     </message>
     <message>
         <source>Thicken</source>
+        <extracomment>until then nothing is called</extracomment>
         <translation>加厚</translation>
     </message>
     <message>
@@ -305,14 +283,6 @@
         <translation>自动</translation>
     </message>
     <message>
-        <source>Sweep</source>
-        <translation>扫掠</translation>
-    </message>
-    <message>
-        <source>Reconstruct</source>
-        <translation>重建</translation>
-    </message>
-    <message>
         <source>Method</source>
         <translation>方法</translation>
     </message>
@@ -323,10 +293,6 @@
     <message>
         <source>Resolution</source>
         <translation>分辨率</translation>
-    </message>
-    <message>
-        <source>Tolerance</source>
-        <translation>公差</translation>
     </message>
     <message>
         <source>Quality</source>
@@ -410,7 +376,441 @@
     </message>
     <message>
         <source>The document has no 3D view. Open one: View ▸ Create new view.</source>
+        <extracomment>global: the middle of the facet with the minimum</extracomment>
         <translation>文档没有三维视图。请打开一个：视图 ▸ 新建视图。</translation>
+    </message>
+    <message>
+        <source>The mesh is no valid solid: {defect}.</source>
+        <extracomment>m: whether the facet bounds a cavity</extracomment>
+        <translation>该网格不是有效的实体：{defect}。</translation>
+    </message>
+    <message>
+        <source>{area} mm² of the walls ({share}) are thinner than {least} mm, the thinnest {mm} mm at {place}.</source>
+        <translation>壁面中有 {area} mm²（{share}）薄于 {least} mm，最薄处 {mm} mm，位于 {place}。</translation>
+    </message>
+    <message>
+        <source>A closed cavity traps {volume} mL; its lowest point is at {place}. Add drain holes.</source>
+        <translation>封闭空腔困住 {volume} mL；其最低点位于 {place}。请添加排液孔。</translation>
+    </message>
+    <message>
+        <source>{volume} mL of resin stay {depth} mm deep below the holes of a cavity, at {place}. Add a hole lower down.</source>
+        <translation>空腔的孔下方残留 {volume} mL 树脂，深 {depth} mm，位于 {place}。请在更低处添加孔。</translation>
+    </message>
+    <message>
+        <source>Corners moved onto a corner nearby</source>
+        <extracomment>Of the properties. migrations[n] turns an object of schema n into one of n + 1.</extracomment>
+        <translation>移到邻近角点上的角点</translation>
+    </message>
+    <message>
+        <source>Triangles with a corner that is no number, removed</source>
+        <translation>已删除的角点不是数字的三角形</translation>
+    </message>
+    <message>
+        <source>Triangles without area, removed</source>
+        <translation>已删除的无面积三角形</translation>
+    </message>
+    <message>
+        <source>Repeated triangles, removed</source>
+        <translation>已删除的重复三角形</translation>
+    </message>
+    <message>
+        <source>Triangles divided at a corner on one of their edges</source>
+        <translation>在其边上的角点处分割的三角形</translation>
+    </message>
+    <message>
+        <source>Triangles turned over</source>
+        <translation>翻转的三角形</translation>
+    </message>
+    <message>
+        <source>Triangles removed where more than two met at an edge</source>
+        <translation>在多于两个三角形共边处删除的三角形</translation>
+    </message>
+    <message>
+        <source>Triangles removed to cut a one-sided part open</source>
+        <translation>为剪开单侧部分而删除的三角形</translation>
+    </message>
+    <message>
+        <source>Triangles removed that met others</source>
+        <translation>与其他三角形相交而删除的三角形</translation>
+    </message>
+    <message>
+        <source>Triangles removed where parts touched in a point only</source>
+        <translation>在仅以一点接触处删除的三角形</translation>
+    </message>
+    <message>
+        <source>Triangles removed in a fold or gap with no room for a wall</source>
+        <translation>在没有壁厚空间的褶皱或缝隙中删除的三角形</translation>
+    </message>
+    <message>
+        <source>{what}: {count}, the first at {place}.</source>
+        <translation>{what}：{count}，第一处位于 {place}。</translation>
+    </message>
+    <message>
+        <source>Nothing stands against printing it.</source>
+        <translation>没有妨碍打印的问题。</translation>
+    </message>
+    <message>
+        <source>Printability of {object}</source>
+        <translation>{object} 的可打印性</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>图片</translation>
+    </message>
+    <message>
+        <source>{height} mm, along {direction}</source>
+        <translation>{height} mm，沿 {direction}</translation>
+    </message>
+    <message>
+        <source>Height while printing</source>
+        <translation>打印高度</translation>
+    </message>
+    <message>
+        <source>yes, proved with exact predicates</source>
+        <translation>是，已用精确谓词证明</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>否</translation>
+    </message>
+    <message>
+        <source>Valid solid</source>
+        <translation>有效实体</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>材料</translation>
+    </message>
+    <message>
+        <source>Overhangs beyond {angle}°</source>
+        <translation>超过 {angle}° 的悬垂</translation>
+    </message>
+    <message>
+        <source>{area} mm², {share} of the surface</source>
+        <translation>{area} mm²，占表面的 {share}</translation>
+    </message>
+    <message>
+        <source>{mm} mm at {place}</source>
+        <translation>{mm} mm，位于 {place}</translation>
+    </message>
+    <message>
+        <source>Walls below {least} mm</source>
+        <translation>薄于 {least} mm 的壁</translation>
+    </message>
+    <message>
+        <source>{share} of the area</source>
+        <translation>面积的 {share}</translation>
+    </message>
+    <message>
+        <source>{volume} mL, lowest at {place}</source>
+        <translation>{volume} mL，最低处位于 {place}</translation>
+    </message>
+    <message>
+        <source>Closed cavity {number}</source>
+        <translation>封闭空腔 {number}</translation>
+    </message>
+    <message>
+        <source>Closed cavities</source>
+        <translation>封闭空腔</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Stays below holes</source>
+        <translation>孔下残留</translation>
+    </message>
+    <message>
+        <source>There are none: {reason}. They need Pillow.</source>
+        <translation>没有图片：{reason}。图片需要 Pillow。</translation>
+    </message>
+    <message>
+        <source>From above.</source>
+        <translation>从上方看。</translation>
+    </message>
+    <message>
+        <source>From below. {colour} needs support.</source>
+        <translation>从下方看。{colour} 需要支撑。</translation>
+    </message>
+    <message>
+        <source>Cut through the middle. {colour} closed cavities.</source>
+        <translation>从中间剖开。{colour} 封闭空腔。</translation>
+    </message>
+    <message>
+        <source>Walls: {thin} below {least} mm, {thick} {most} mm and more, {plain} not measured.</source>
+        <translation>壁厚：{thin} 薄于 {least} mm，{thick} {most} mm 及以上，{plain} 未测量。</translation>
+    </message>
+    <message>
+        <source>No triangles</source>
+        <translation>没有三角形</translation>
+    </message>
+    <message>
+        <source>Coordinates that are no numbers</source>
+        <translation>不是数字的坐标</translation>
+    </message>
+    <message>
+        <source>Triangles without area</source>
+        <translation>无面积的三角形</translation>
+    </message>
+    <message>
+        <source>Edges or points where the surface branches</source>
+        <translation>曲面分叉的边或点</translation>
+    </message>
+    <message>
+        <source>Neighbours that face opposite ways</source>
+        <translation>朝向相反的相邻三角形</translation>
+    </message>
+    <message>
+        <source>Triangles that cross</source>
+        <translation>相交的三角形</translation>
+    </message>
+    <message>
+        <source>at {place}</source>
+        <translation>位于 {place}</translation>
+    </message>
+    <message>
+        <source>One place chosen by a click.</source>
+        <translation>已点击选择一个位置。</translation>
+    </message>
+    <message>
+        <source>Stereolithography (*.stl)</source>
+        <translation>立体光刻 (*.stl)</translation>
+    </message>
+    <message>
+        <source>3D Manufacturing Format (*.3mf)</source>
+        <translation>3D 制造格式 (*.3mf)</translation>
+    </message>
+    <message>
+        <source>“{label}” is a link. Select the object that it links to, “{linked}”, or make a copy of that where the link is.</source>
+        <translation>“{label}” 是一个链接。请选择它所链接的对象 “{linked}”，或在链接处为其创建副本。</translation>
+    </message>
+    <message>
+        <source>A link is selected</source>
+        <translation>选中了一个链接</translation>
+    </message>
+    <message>
+        <source>{volume} mL, {triangles} triangles, thinnest wall {wall} mm</source>
+        <translation>{volume} mL，{triangles} 个三角形，最薄壁 {wall} mm</translation>
+    </message>
+    <message>
+        <source>Weld corners of rims automatically</source>
+        <translation>自动焊接边缘角点</translation>
+    </message>
+    <message>
+        <source>The farthest that corners of rims may be apart to become one</source>
+        <translation>边缘角点可合并的最大距离</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>保存...</translation>
+    </message>
+    <message>
+        <source>Page with pictures (*.html)</source>
+        <translation>带图片的网页 (*.html)</translation>
+    </message>
+    <message>
+        <source>Data (*.json)</source>
+        <translation>数据 (*.json)</translation>
+    </message>
+    <message>
+        <source>Written: {path}</source>
+        <translation>已写入：{path}</translation>
+    </message>
+    <message>
+        <source>Written: {path}, and the same facts as data in {data}</source>
+        <translation>已写入：{path}，同样的数据在 {data} 中</translation>
+    </message>
+    <message>
+        <source>To mend before printing</source>
+        <translation>打印前需处理</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>已停止。</translation>
+    </message>
+    <message>
+        <source>Part Solid</source>
+        <translation>Part 实体</translation>
+    </message>
+    <message>
+        <source>Working</source>
+        <translation>处理中</translation>
+    </message>
+    <message>
+        <source>Checking the surface</source>
+        <translation>检查曲面</translation>
+    </message>
+    <message>
+        <source>Building the shell</source>
+        <translation>生成壳</translation>
+    </message>
+    <message>
+        <source>Measuring distances</source>
+        <translation>测量距离</translation>
+    </message>
+    <message>
+        <source>Rebuilding parts of the shell</source>
+        <translation>重建部分壳</translation>
+    </message>
+    <message>
+        <source>Smoothing the shell</source>
+        <translation>平滑壳</translation>
+    </message>
+    <message>
+        <source>Joining the parts</source>
+        <translation>连接各部分</translation>
+    </message>
+    <message>
+        <source>Proving the solid</source>
+        <translation>验证实体</translation>
+    </message>
+    <message>
+        <source>Measuring</source>
+        <translation>测量</translation>
+    </message>
+    <message>
+        <source>A Part solid is an object of its own: use the command “Part Solid”</source>
+        <translation>Part 实体是单独的对象：请使用命令“Part 实体”</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <translation>草稿</translation>
+    </message>
+    <message>
+        <source>Standard</source>
+        <translation>标准</translation>
+    </message>
+    <message>
+        <source>Fine</source>
+        <translation>精细</translation>
+    </message>
+    <message>
+        <source>Within a tolerance</source>
+        <translation>按公差</translation>
+    </message>
+    <message>
+        <source>Draft makes the fewest triangles, Fine follows the thickness most closely</source>
+        <translation>草稿产生的三角形最少，精细最贴近厚度</translation>
+    </message>
+    <message>
+        <source>The farthest that the new shell may be from where it should be; what cannot be kept is refused</source>
+        <translation>新壳偏离应有位置的最大距离；无法满足时将被拒绝</translation>
+    </message>
+    <message>
+        <source>Advanced</source>
+        <translation>高级</translation>
+    </message>
+    <message>
+        <source>Moved copy only</source>
+        <translation>仅偏移副本</translation>
+    </message>
+    <message>
+        <source>Rebuilt everywhere</source>
+        <translation>全部重建</translation>
+    </message>
+    <message>
+        <source>The shell is a moved copy of the surface, and rebuilt where that does not fit; or only one of the two</source>
+        <translation>壳是曲面的偏移副本，在不合适处重建；或只用其中一种</translation>
+    </message>
+    <message>
+        <source>By the quality</source>
+        <translation>由质量决定</translation>
+    </message>
+    <message>
+        <source>The grid in which parts of the shell are rebuilt</source>
+        <translation>重建部分壳所用的网格</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>网格划分</translation>
+    </message>
+    <message>
+        <source>Below half of the thickness: in larger cells both sides of the wall could meet</source>
+        <translation>小于厚度的一半：在更大的单元中壁的两侧可能相遇</translation>
+    </message>
+    <message>
+        <source>Cells along the longest side</source>
+        <translation>沿最长边的单元数</translation>
+    </message>
+    <message>
+        <source>“{label}” is {length} mm long. Is it in {unit}? Then scale it first: lengths here are mm.</source>
+        <translation>“{label}” 长 {length} mm。它的单位是 {unit} 吗？如是请先缩放：此处长度单位为 mm。</translation>
+    </message>
+    <message>
+        <source>“Check Surface” marks the places; “Repair a defective surface first” above mends them.</source>
+        <translation>“检查曲面”会标出位置；上方的“先修复有缺陷的曲面”可修复它们。</translation>
+    </message>
+    <message>
+        <source>Cavities that stay closed: {count}, of {volumes} mL.</source>
+        <extracomment>what is known of the solid</extracomment>
+        <translation>仍然封闭的空腔：{count} 个，{volumes} mL。</translation>
+    </message>
+    <message>
+        <source>The solid has no cavity, so that nothing is trapped in it. Give places to drill it all the same.</source>
+        <extracomment>threads and context of the library&apos;s functions</extracomment>
+        <translation>该实体没有空腔，因此没有残留。若仍要钻孔，请指定位置。</translation>
+    </message>
+    <message>
+        <source>A cavity of {volume} mL got {some} of {all} holes.</source>
+        <translation>一个 {volume} mL 的空腔得到 {all} 个孔中的 {some} 个。</translation>
+    </message>
+    <message>
+        <source>no hole could be drilled lower down</source>
+        <translation>更低处无法钻孔</translation>
+    </message>
+    <message>
+        <source>place a hole lower down</source>
+        <translation>请在更低处放置孔</translation>
+    </message>
+    <message>
+        <source>{depth} mm of resin, about {volume} mL, stay below the lowest hole of a cavity of {all} mL: {advice}.</source>
+        <translation>在 {all} mL 空腔的最低孔下方残留深 {depth} mm、约 {volume} mL 的树脂：{advice}。</translation>
+    </message>
+    <message>
+        <source>There is no room for a hole: choose a smaller diameter or fewer holes.</source>
+        <translation>没有放置孔的空间：请选择更小的直径或更少的孔。</translation>
+    </message>
+    <message>
+        <source>{triangles} triangles take about {needed} MiB, and the preferences allow {limit} MiB. Allow more there, or simplify the mesh.</source>
+        <translation>{triangles} 个三角形约需 {needed} MiB，而首选项允许 {limit} MiB。请提高限额或简化网格。</translation>
+    </message>
+    <message>
+        <source>in the document the first place is at {place}</source>
+        <translation>在文档中第一处位于 {place}</translation>
+    </message>
+    <message>
+        <source>No surface is chosen. Set Source to a mesh object or to a shape with faces.</source>
+        <translation>未选择曲面。请将 Source 设为网格对象或带面的形状。</translation>
+    </message>
+    <message>
+        <source>“{label}” is a link. Choose the object that it links to, “{linked}”, or a copy of that.</source>
+        <translation>“{label}” 是一个链接。请选择它所链接的对象 “{linked}” 或其副本。</translation>
+    </message>
+    <message>
+        <source>“{label}” is neither a mesh nor a shape with faces. Choose one that is.</source>
+        <translation>“{label}” 既不是网格也不是带面的形状。请选择其中之一。</translation>
+    </message>
+    <message>
+        <source>“{label}” has no triangles: there is nothing to thicken. Choose another mesh.</source>
+        <translation>“{label}” 没有三角形：没有可加厚的内容。请选择另一个网格。</translation>
+    </message>
+    <message>
+        <source>A Part solid of {faces} faces takes about {seconds} s to make, and a check or a cut of it {later} s. A mesh is enough for printing; choose a coarser quality, or merge coplanar facets, if a solid is needed.</source>
+        <extracomment>a result: the path of its value in the report (docs/report.md)</extracomment>
+        <translation>生成 {faces} 个面的 Part 实体约需 {seconds} s，对其检查或剪切约需 {later} s。打印只需网格；若需要实体，请选择更粗的质量或合并共面三角形。</translation>
+    </message>
+    <message>
+        <source>OK makes this solid at once.</source>
+        <translation>点击“确定”即可得到此实体。</translation>
+    </message>
+    <message>
+        <source>“{label}”</source>
+        <translation>“{label}”</translation>
+    </message>
+    <message>
+        <source>“{label}” is a link that scales. Make a copy of “{linked}” in that size instead.</source>
+        <translation>“{label}” 是带缩放的链接。请改为创建该尺寸的 “{linked}” 副本。</translation>
     </message>
 </context>
 <context>
@@ -538,10 +938,6 @@
 <context>
     <name>Thicken_Drain</name>
     <message>
-        <source>Drain Holes …</source>
-        <translation>排液孔…</translation>
-    </message>
-    <message>
         <source>Let resin out of the cavities of a solid</source>
         <translation>让树脂从实体的空腔中流出</translation>
     </message>
@@ -549,13 +945,13 @@
         <source>Select a solid. Holes are placed at the lowest points of each cavity for a print direction, or where you click.</source>
         <translation>选择一个实体。孔会放在每个空腔相对于打印方向的最低点，或放在单击处。</translation>
     </message>
+    <message>
+        <source>Drain Holes...</source>
+        <translation>排液孔...</translation>
+    </message>
 </context>
 <context>
     <name>Thicken_Export</name>
-    <message>
-        <source>Export for Printing …</source>
-        <translation>导出用于打印…</translation>
-    </message>
     <message>
         <source>Write a solid as STL or 3MF, read it again and judge it</source>
         <translation>将实体写为 STL 或 3MF，重新读取并判定</translation>
@@ -564,14 +960,13 @@
         <source>Select a solid. The file is written whole or not at all, in millimetres, and what is in it is proved valid.</source>
         <translation>选择一个实体。文件要么完整写入，要么完全不写，单位为毫米，其内容经过有效性证明。</translation>
     </message>
+    <message>
+        <source>Export for Printing...</source>
+        <translation>导出打印...</translation>
+    </message>
 </context>
 <context>
     <name>Thicken_Make</name>
-    <message>
-        <source>Thicken …</source>
-        <extracomment>of a mesh: indices</extracomment>
-        <translation>加厚…</translation>
-    </message>
     <message>
         <source>Turn the selected open surfaces into printable solids</source>
         <translation>将所选的开放曲面变为可打印的实体</translation>
@@ -579,6 +974,11 @@
     <message>
         <source>Select meshes, shapes or faces. A panel asks for the thickness and the side and previews the solid, which keeps every triangle of the surface and follows it afterwards.</source>
         <translation>选择网格、形状或面。面板会询问厚度和侧，并预览实体；该实体保留曲面的每个三角形，并随之更新。</translation>
+    </message>
+    <message>
+        <source>Thicken...</source>
+        <extracomment>the module here and its class</extracomment>
+        <translation>加厚...</translation>
     </message>
 </context>
 <context>
@@ -614,16 +1014,46 @@
 <context>
     <name>Thicken_Report</name>
     <message>
-        <source>Printability Report …</source>
-        <translation>可打印性报告…</translation>
-    </message>
-    <message>
         <source>Volume, thinnest wall, trapped resin and overhangs of a solid</source>
         <translation>实体的体积、最薄壁、被困树脂和悬垂</translation>
     </message>
     <message>
         <source>Select a solid. The facts are shown, and can be saved as a page with pictures or as JSON.</source>
         <translation>选择一个实体。会显示各项数据，并可保存为带图片的页面或 JSON。</translation>
+    </message>
+    <message>
+        <source>Printability Report...</source>
+        <translation>可打印性报告...</translation>
+    </message>
+</context>
+<context>
+    <name>Thicken_Solid</name>
+    <message>
+        <source>Part Solid</source>
+        <translation>Part 实体</translation>
+    </message>
+    <message>
+        <source>Make a solid of Part from a closed mesh; it follows the mesh</source>
+        <translation>由封闭网格生成 Part 实体；它随网格更新</translation>
+    </message>
+    <message>
+        <source>Select thickened or drained solids, or other closed meshes. Each gets a solid with a planar face for each triangle.</source>
+        <translation>选择加厚或打孔的实体，或其他封闭网格。每个都会得到一个每三角形一个平面的实体。</translation>
+    </message>
+</context>
+<context>
+    <name>Thicken_Stop</name>
+    <message>
+        <source>Stop Computing</source>
+        <translation>停止计算</translation>
+    </message>
+    <message>
+        <source>Stop whatever Thicken computes at the moment</source>
+        <translation>停止 Thicken 当前的计算</translation>
+    </message>
+    <message>
+        <source>A feature that was being recomputed is without a solid until the next recompute.</source>
+        <translation>正在重新计算的对象在下次重新计算之前没有实体。</translation>
     </message>
 </context>
 </TS>

@@ -34,11 +34,18 @@ py::object inspectArrays(const py::object& vertices, const py::object& triangles
   return result;
 }
 
-py::array wallThicknessArray(const py::object& vertices, const py::object& triangles, int threads,
+using Flags = py::array_t<std::uint8_t, py::array::c_style | py::array::forcecast>;
+
+py::array wallThicknessArray(const py::object& vertices, const py::object& triangles,
+                             const std::optional<Flags>& edges, int threads,
                              const std::optional<RunContext>& context) {
   const RunContext run = context.value_or(RunContext());
   const TriangleMesh mesh = meshFrom(vertices, triangles);
-  return numberArray(runInterruptibly(run, [&] { return wallThickness(mesh, run, threads); }));
+  std::span<const std::uint8_t> isEdge;
+  if (edges) isEdge = {edges->data(), static_cast<std::size_t>(edges->size())};
+  if (!isEdge.empty() && isEdge.size() != mesh.triangles.size())
+    throw py::value_error("edges must have one value for each triangle");
+  return numberArray(runInterruptibly(run, [&] { return wallThickness(mesh, run, threads, isEdge); }));
 }
 
 struct ClosestArrays {
@@ -87,8 +94,9 @@ void bindInspect(py::module_& module) {
              "Audit a solid and take stock of its shells; returns a dict of status, volume_mm3, area_mm2, "
              "audit, defects, shells and shell_of_triangle.");
   module.def("wall_thickness", &wallThicknessArray, arg("vertices"), arg("triangles"), py::kw_only(),
-             arg("threads") = 0, arg("context") = py::none(),
-             "For each triangle of a solid, the way from its middle straight through the material.");
+             arg("edges") = py::none(), arg("threads") = 0, arg("context") = py::none(),
+             "For each triangle of a solid, the way from its middle straight through the material; infinite "
+             "where there is no wall, such as at triangles with a value above 0 in `edges`.");
   module.def("closest_points", &closestPoints, arg("vertices"), arg("triangles"), arg("points"),
              py::kw_only(), arg("context") = py::none(),
              "The points of a valid surface that are closest to `points`; returns a dict of distance, "

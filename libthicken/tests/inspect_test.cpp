@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "analytic_surfaces.h"
 #include "bvh/ray_tree.h"
@@ -103,6 +105,32 @@ TEST(WallThickness, SharpEdgesAreNoThinWalls) {
   for (const double t : wallThickness(wedge)) EXPECT_GT(t, 1);
 }
 
+TEST(WallThickness, WhatDoesNotFaceTheOtherWayIsNoWall) {
+  // A floor that faces down, a lid that faces up 1 mm above it, and a steep side that comes close to it.
+  TriangleMesh mesh;
+  mesh.positions = {{-10, -10, 0}, {-10, 30, 0},    {30, -10, 0},     {3, 3, 1},        {4, 3, 1},
+                    {3, 4, 1},     {0.035, 0, 0.1}, {0.07, 0.1, 0.2}, {0.035, 0.2, 0.1}};
+  mesh.triangles = {{0, 1, 2}, {3, 4, 5}, {6, 8, 7}};
+  const auto walls = wallThickness(mesh);
+  EXPECT_DOUBLE_EQ(walls[1], 1);
+  EXPECT_TRUE(std::isinf(walls[2])) << walls[2];
+  std::swap(mesh.triangles[0][1], mesh.triangles[0][2]);  // the floor turned over faces the lid
+  EXPECT_TRUE(std::isinf(wallThickness(mesh)[1]));
+}
+
+TEST(WallThickness, NeitherBeginsNorEndsAtACrossSection) {
+  const TriangleMesh cube = box({0, 0, 0}, {10, 10, 10});
+  std::vector<std::uint8_t> isEdge(cube.triangles.size(), 0);
+  const auto facesUp = [&](TriangleId t) {
+    return cube.positions[cube.triangles[t][0]][2] == 10 && cube.positions[cube.triangles[t][1]][2] == 10 &&
+           cube.positions[cube.triangles[t][2]][2] == 10;
+  };
+  for (TriangleId t = 0; t < cube.triangles.size(); ++t) isEdge[t] = facesUp(t) ? 1 : 0;
+  const auto walls = wallThickness(cube, {}, 0, isEdge);
+  EXPECT_EQ(std::ranges::count_if(walls, [](double t) { return std::isinf(t); }),
+            4);  // the lid, and the floor
+}
+
 TEST(WallThickness, SameForAnyNumberOfThreads) {
   EXPECT_EQ(wallThickness(nested(), {}, 1), wallThickness(nested(), {}, 2));
 }
@@ -124,6 +152,33 @@ TEST(RayTree, FindsTheFirstOfManyTriangles) {
   EXPECT_DOUBLE_EQ(second.along, 1.75);
   EXPECT_TRUE(std::isinf(tree.first({5, 5, 0}, {0, 0, 1}, none).along));
   EXPECT_TRUE(std::isinf(tree.first({0, 0, 0.25}, {0, 0, -1}, none).along));
+}
+
+// Counts boxes, not time: a ray looks into those along its way, whether it meets a triangle or not.
+TEST(RayTree, LeavesOutTheBoxesThatTheRayMisses) {
+  constexpr int kSide = 100;
+  TriangleMesh mesh;
+  for (VertexId y = 0; y <= kSide; ++y)
+    for (VertexId x = 0; x <= kSide; ++x)
+      mesh.positions.emplace_back(x, y, std::sin(0.2 * x) + std::cos(0.3 * y));
+  for (VertexId y = 0; y < kSide; ++y) {
+    for (VertexId x = 0; x < kSide; ++x) {
+      const VertexId a = y * (kSide + 1) + x, b = a + 1, c = a + kSide + 1, d = c + 1;
+      mesh.triangles.insert(mesh.triangles.end(), {{a, b, d}, {a, d, c}});
+    }
+  }
+  const RayTree tree(mesh.positions, mesh.triangles);
+  const Triangle none{kNone, kNone, kNone};
+  constexpr std::uint32_t kFew = 100;  // of about 8,000 boxes; a way from the root to a leaf has 14
+  const RayTree::Hit met = tree.first({50.3, 50.6, 9}, {0, 0, -1}, none);
+  EXPECT_TRUE(std::isfinite(met.along));
+  EXPECT_LE(met.opened, kFew);
+  const RayTree::Hit away = tree.first({50.3, 50.6, 9}, {0, 0, 1}, none);
+  EXPECT_TRUE(std::isinf(away.along));
+  EXPECT_LE(away.opened, 1u);
+  const RayTree::Hit past = tree.first({-0.5, 50.6, 0}, Vec3(0.02, 0, -1).normalized(), none);
+  EXPECT_TRUE(std::isinf(past.along));
+  EXPECT_LE(past.opened, kFew);
 }
 
 }  // namespace

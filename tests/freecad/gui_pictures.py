@@ -6,8 +6,6 @@ from pathlib import Path
 import FreeCAD as App
 import FreeCADGui as Gui
 import Mesh
-import MeshPart
-import Part
 
 from gui_case import GuiCase, click, process_events, type_text, wait_until
 
@@ -44,9 +42,9 @@ class Tutorial(GuiCase):
         self.wait_closed()
 
     def test_a_jacket_for_a_bone(self):
-        Mesh.insert(str(DATA / "femur.ply"), self.doc.Name)
+        Mesh.insert(str(DATA / "bone.stl"), self.doc.Name)
         (scan,) = self.doc.Objects
-        scan.Label = "Femur"
+        scan.Label = "bone"
         self.show()
         self.picture("scan")
         self.select(scan)
@@ -72,9 +70,9 @@ class Tutorial(GuiCase):
         self.close()
 
     def test_b_hollow_pawn(self):
-        Mesh.insert(str(DATA / "pawn.ply"), self.doc.Name)
+        Mesh.insert(str(DATA / "pawn.stl"), self.doc.Name)
         (figure,) = self.doc.Objects
-        figure.Label = "Pawn"
+        figure.Label = "pawn"
         self.show()
         self.select(figure)
         panel = self.run_command("Thicken_Make")
@@ -91,6 +89,7 @@ class Tutorial(GuiCase):
         self.close()
         self.select(solid)
         panel = self.run_command("Thicken_Drain")
+        wait_until(lambda: panel.found is not None, "the place of the hole is shown")
         self.picture("drain")
         self.ok()
         drained = self.doc.getObject("DrainHoles")
@@ -99,12 +98,8 @@ class Tutorial(GuiCase):
         self.picture("drained")
 
     def test_c_region(self):
-        body = self.doc.addObject("Part::Feature", "Body")
-        body.Shape = Part.makeCylinder(15, 20).fuse(Part.makeBox(40, 12, 8, App.Vector(0, -6, 0)))
-        scan = self.doc.addObject("Mesh::Feature", "Bracket")
-        scan.Mesh = MeshPart.meshFromShape(Shape=body.Shape, LinearDeflection=0.05, AngularDeflection=0.2)
-        body.ViewObject.Visibility = False
-        self.doc.recompute()
+        Mesh.insert(str(DATA / "bracket.stl"), self.doc.Name)
+        (scan,) = self.doc.Objects
         self.show()
         self.select(scan)
         panel = self.run_command("Thicken_Make")

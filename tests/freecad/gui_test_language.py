@@ -41,7 +41,7 @@ class Files(unittest.TestCase):
         import tempfile
 
         package = FOLDER.parent
-        sources = sorted([*map(str, (package / "gui").glob("*.py")), *map(str, (package / "gui/ui").glob("*.ui"))])
+        sources = sorted(map(str, [*package.glob("*.py"), *(package / "gui").glob("*.py"), *(package / "gui/ui").glob("*.ui")]))
         with tempfile.TemporaryDirectory() as folder:
             fresh = Path(folder) / "fresh.ts"
             subprocess.run([LUPDATE, "-silent", *sources, "-ts", str(fresh)], check=True, capture_output=True)
@@ -62,7 +62,7 @@ class Shown(GuiCase):
     def test_german(self):
         self.speak("German")
         self.assertEqual(App.Qt.translate("Thicken", "Flip"), "Umdrehen")
-        self.assertEqual(Gui.Command.get("Thicken_Make").getAction()[0].text(), "Verdicken …")
+        self.assertEqual(Gui.Command.get("Thicken_Make").getAction()[0].text(), "Verdicken...")
         self.select(self.add_mesh(plate()))
         panel = self.run_command("Thicken_Make")
         self.assertEqual(self.child(panel, "Flip").text(), "Umdrehen")

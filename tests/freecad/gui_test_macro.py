@@ -56,7 +56,9 @@ class Recorded(GuiCase):
         process_events()
 
     def stop_recording(self):
-        Gui.runCommand("Std_MacroStopRecord")
+        # FreeCAD 1.0 has one command for both.
+        stop = "Std_MacroStopRecord" if "Std_MacroStopRecord" in Gui.listCommands() else "Std_DlgMacroRecord"
+        Gui.runCommand(stop)
         process_events()
 
     def thicken(self, source, thickness, side):

@@ -58,16 +58,18 @@ class Page(GuiCase):
             if dialog is None or isinstance(dialog, QtGui.QMessageBox):
                 QtCore.QTimer.singleShot(100, act)
                 return
-            groups = dialog.findChild(QtGui.QListWidget)
-            (row,) = [k for k in range(groups.count()) if groups.item(k).text() == "Thicken"]
-            groups.setCurrentRow(row)
-            process_events()
-            box = dialog.findChild(QtGui.QWidget, "threads")
-            seen.append(box is not None)
-            if box is not None:
-                box.setValue(3)
-                self.picture_of(dialog, "preferences")
-            dialog.findChild(QtGui.QDialogButtonBox).button(QtGui.QDialogButtonBox.Ok).click()
+            try:
+                self.choose_page(dialog)
+                box = dialog.findChild(QtGui.QWidget, "threads")
+                seen.append(box is not None)
+                if box is not None:
+                    box.setValue(3)
+                    self.picture_of(dialog, "preferences")
+                dialog.findChild(QtGui.QDialogButtonBox).button(QtGui.QDialogButtonBox.Ok).click()
+            finally:
+                if not seen:  # a dialog that stays open would wait for ever
+                    seen.append(False)
+                    dialog.reject()
 
         self.addCleanup(preferences.put, "Threads", 0)
         QtCore.QTimer.singleShot(100, act)
@@ -75,6 +77,19 @@ class Page(GuiCase):
         wait_until(lambda: seen, "the dialog was open")
         self.assertEqual(seen, [True])
         self.assertEqual(preferences.get("Threads"), 3)
+
+    def choose_page(self, dialog):
+        """Click on the page's name: FreeCAD 0.20 has a list of them, 1.0 a tree."""
+        for view in dialog.findChildren(QtGui.QAbstractItemView):
+            model = view.model()
+            if model is None or model.rowCount() == 0:
+                continue
+            exactly = QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive
+            for index in model.match(model.index(0, 0), QtCore.Qt.DisplayRole, "Thicken", 1, exactly):
+                view.setCurrentIndex(index)
+                process_events()
+                return
+        self.fail("no page of the name Thicken")
 
     def put(self, key, value):
         self.addCleanup(preferences.put, key, preferences.get(key))

@@ -56,7 +56,7 @@ class DrainHoles(Printing):
         self.click_view(view.getPointOnScreen(App.Vector(1, -10, 3)))
         self.assertEqual(len(panel.places), 1)
         self.assertAlmostEqual(panel.places[0].z, 3, delta=0.3)
-        self.assertIn("1 places", self.child(panel, "Status").text())
+        self.assertIn("One place", self.child(panel, "Status").text())
         self.picture("drain-place")
         self.press("Ok")
         self.wait_closed()

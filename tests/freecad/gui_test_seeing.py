@@ -168,7 +168,7 @@ class CheckSurface(GuiCase):
         panel = self.open(crossing_plates())
         rows = self.child(panel, "Defects")
         (kind,) = [rows.topLevelItem(k) for k in range(rows.topLevelItemCount())]
-        self.assertIn("self-intersecting", kind.text(0))
+        self.assertIn("Triangles that cross", kind.text(0))
         self.assertGreater(kind.childCount(), 3)
         self.assertGreater(self.marked(), 100, "the defects are not marked")
         self.picture("check-surface")

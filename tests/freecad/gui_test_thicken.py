@@ -3,6 +3,7 @@
 
 import os
 import time
+from unittest import mock
 
 import FreeCAD as App
 import FreeCADGui as Gui
@@ -11,7 +12,8 @@ from PySide import QtCore, QtGui
 
 import ThickenWorkbench
 from ThickenWorkbench import mesh_io, preferences
-from gui_case import GuiCase, click, type_text, wait_until
+from ThickenWorkbench.gui import editing
+from gui_case import GuiCase, click, process_events, type_text, wait_until
 from thicken_surfaces import fin, grid, plate, saddle
 
 
@@ -39,7 +41,8 @@ class Panel(GuiCase):
         panel = self.open(source)
         self.wait_preview(panel)
         self.assertIn("mL", self.child(panel, "Status").text())
-        self.assertIn("about", self.child(panel, "Forecast").text())
+        self.assertRegex(self.child(panel, "Status").text(), r"[\d,]+ triangles")
+        self.assertIn("at once", self.child(panel, "Forecast").text())
         self.picture("thicken-panel")
         self.ok()
         feature = self.doc.getObject("Thicken")
@@ -47,6 +50,84 @@ class Panel(GuiCase):
         self.assertTrue(feature.ViewObject.Visibility)
         self.assertFalse(source.ViewObject.Visibility)
         self.assertEqual(source.ViewObject.Transparency, 0)
+
+    def test_ok_takes_the_previewed_solid(self):
+        panel = self.open(self.add_mesh(saddle()))
+        self.assertIn("about", self.child(panel, "Forecast").text())
+        self.wait_preview(panel)
+        (solid,) = panel._preview.solids()
+        with mock.patch("ThickenWorkbench.gui.thicken_panel.thicken_mesh", side_effect=AssertionError("computed again")):
+            with mock.patch("ThickenWorkbench.precomputed.thicken_mesh", side_effect=AssertionError("computed again")):
+                self.ok()
+        feature = self.doc.getObject("Thicken")
+        self.assertTrue(feature.Valid, feature.getStatusString())
+        self.assertEqual(feature.TriangleCount, len(solid.triangles))
+
+    def test_edited_inputs_are_computed_anew(self):
+        panel = self.open(self.add_mesh(plate()))
+        self.wait_preview(panel)
+        type_text(self.child(panel, "Thickness"), "1.5 mm")
+        self.assertIsNone(panel._preview.solids())
+        self.ok()
+        self.assertAlmostEqual(self.doc.getObject("Thicken").Volume.Value, 20 * 20 * 1.5, delta=1e-3)
+
+    def test_qualities_have_names(self):
+        panel = self.open(self.add_mesh(plate()))
+        self.child(panel, "Quality").setCurrentIndex(0)
+        self.assertEqual(panel.form_parts.inputs()["quality"], "draft")
+        self.ok()
+        feature = self.doc.getObject("Thicken")
+        self.assertEqual(feature.Quality, "Draft")
+        Gui.getDocument(self.doc.Name).setEdit(feature.Name, 0)
+        process_events()
+        panel = editing.current()
+        self.assertEqual(self.child(panel, "Quality").currentIndex(), 0)
+        self.assertFalse(self.child(panel, "Advanced").isChecked())
+        self.assertFalse(self.child(panel, "Output").isEnabled())
+        self.assertIn("Part Solid", self.child(panel, "Output").toolTip())
+        self.child(panel, "Grid").setCurrentIndex(2)
+        self.child(panel, "QualityCells").setValue(40)
+        self.assertFalse(self.child(panel, "Quality").isEnabled())
+        self.ok()
+        self.assertEqual((feature.Quality, feature.Resolution), ("Resolution", 40))
+
+    def test_an_empty_mesh_is_told(self):
+        empty = self.doc.addObject("Mesh::Feature", "Empty")
+        self.look()
+        self.assertIsNone(self.open(empty))
+        self.assertEqual(len(self.messages), 1)
+        self.assertIn("“Empty” has no triangles", self.messages[0])
+
+    def test_another_unit_is_asked_about(self):
+        tiny = self.add_mesh(grid(lambda x, y: 0 * x, size=0.1), "Metres")
+        panel = self.open(tiny)
+        self.assertIn("Is it in m?", self.child(panel, "Forecast").text())
+        self.press("Cancel")
+        self.wait_closed()
+        self.assertNotIn("Is it in", self.child(self.open(self.add_mesh(plate())), "Forecast").text())
+
+    def test_a_link_and_a_group(self):
+        part = self.doc.addObject("App::Part", "Part")
+        scan = self.add_mesh(plate())
+        part.addObject(scan)
+        link = self.doc.addObject("App::Link", "Link")
+        link.LinkedObject = scan
+        self.doc.recompute()
+        self.assertIsNone(self.open(link))
+        self.assertIn("“Link” is a link", self.messages[0])
+        panel = self.open(part)
+        self.assertEqual([item.source for item in panel.chosen], [scan])
+
+    def test_a_part_solid_of_a_mesh(self):
+        source = self.add_mesh(plate())
+        feature = ThickenWorkbench.make_thicken(self.doc, source, 1)
+        self.select(feature)
+        self.run_command("Thicken_Solid")
+        solid = ThickenWorkbench.part_solid_of(feature)
+        self.assertAlmostEqual(solid.Shape.Volume, 400, delta=1e-3)
+        self.assertEqual(self.doc.UndoCount, 1)
+        self.doc.undo()
+        self.assertIsNone(ThickenWorkbench.part_solid_of(feature))
 
     def test_thickness_is_typed_with_a_unit(self):
         panel = self.open(self.add_mesh(plate()))
@@ -194,6 +275,8 @@ class Stop(GuiCase):
         self.press("Ok")
         wait_until(lambda: self.child(panel, "Progress").value() > 0, "it has begun")
         self.assertTrue(self.child(panel, "Stop").isVisible())
+        for name in ("Output", "Whole", "Quality", "Grid"):
+            self.assertFalse(self.child(panel, name).isEnabled(), name)
         return source, panel
 
     def test_a_long_run_stops_within_a_second(self):
@@ -206,6 +289,8 @@ class Stop(GuiCase):
         self.assertIn("Stopped", self.child(panel, "Status").text())
         self.assertFalse(self.child(panel, "Stop").isVisible())
         self.assertTrue(self.child(panel, "Thickness").isEnabled())
+        self.assertTrue(self.child(panel, "Output").isEnabled())
+        self.assertFalse(self.child(panel, "Whole").isEnabled(), "no part is chosen")
         self.press("Cancel")
         self.wait_closed()
         self.assertEqual(self.doc.Objects, [source])

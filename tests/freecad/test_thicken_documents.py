@@ -10,9 +10,11 @@ import FreeCAD as App
 import numpy as np
 
 import ThickenWorkbench
-from ThickenWorkbench import mesh_io, native, params
+from ThickenWorkbench import drain_holes, mesh_io, native, params, repair_feature
+from ThickenWorkbench.part_solid import PartSolidFeature
 from thicken_case import DocumentCase
-from thicken_surfaces import fin, plate, saddle
+from thicken_surfaces import crossing_plates, fin, plate, saddle, together
+from test_thicken_part_solid import box
 
 PLACEMENT = App.Placement(App.Vector(1.1, 2.2, 3.3), App.Rotation(App.Vector(0, 0, 1), 12))
 
@@ -72,6 +74,7 @@ class SaveAndReopen(DocumentCase):
         feature = self.make()
         before = mesh_io.arrays_from_mesh(feature.Mesh)
         feature = self.reopened()
+        feature.ComputedFor = ""
         feature.touch()
         self.doc.recompute()
         for array, array_before in zip(mesh_io.arrays_from_mesh(feature.Mesh), before):
@@ -107,8 +110,9 @@ class SaveAndReopen(DocumentCase):
 
     def test_older_feature_gets_the_properties_that_it_lacks(self):
         feature = self.make()
-        feature.removeProperty("ThinShare")
-        feature.removeProperty("Repair")
+        for name in ("ThinShare", "Repair"):
+            feature.setPropertyStatus(name, "-LockDynamic")
+            feature.removeProperty(name)
         feature = self.reopened()
         self.assertEqual((feature.ThinShare, feature.Repair), (0, False))
         feature.touch()
@@ -133,34 +137,96 @@ class SaveAndReopen(DocumentCase):
                 self.assert_solid(feature)
 
 
+class Locked(DocumentCase):
+    def test_properties_cannot_be_deleted_by_the_user(self):
+        feature = ThickenWorkbench.make_thicken(self.doc, self.add_source(plate()), 1)
+        for name in ("Thickness", "Source", "SchemaVersion"):
+            self.assertIn("LockDynamic", [str(word) for word in feature.getPropertyStatus(name)], name)
+        self.assertNotIn("LockDynamic", [str(word) for word in feature.getPropertyStatus("Mesh")])
+
+
 class OlderDocuments(DocumentCase):
-    """One document of every schema there has been, made by make_fixture()."""
+    """One document of every schema there has been, made by make_fixtures(): "thicken" with a Thicken feature, "others"
+    with the other kinds."""
 
     FIXTURES = Path(__file__).parent / "fixtures"
+    OTHERS = {
+        "DrainHoles": drain_holes.DrainHolesFeature,
+        "Plugs": drain_holes.PlugFeature,
+        "Repair": repair_feature.RepairFeature,
+        "HollowSolid": PartSolidFeature,
+    }
+
+    def documents(self, kind):
+        return sorted(self.FIXTURES.glob(f"{kind}_*.FCStd"))
 
     def test_every_schema_has_a_document(self):
-        names = sorted(path.name for path in self.FIXTURES.glob("*.FCStd"))
-        self.assertEqual(names, [f"schema_{n}.FCStd" for n in range(1, params.SCHEMA_VERSION + 1)])
+        latest = max(proxy.schema for proxy in self.OTHERS.values())
+        for kind, schema in (("schema", params.SCHEMA_VERSION), ("others", latest)):
+            names = [path.name for path in self.documents(kind)]
+            self.assertEqual(names, [f"{kind}_{n}.FCStd" for n in range(1, schema + 1)])
 
     def test_they_open_and_recompute(self):
-        for path in sorted(self.FIXTURES.glob("*.FCStd")):
+        for path in self.documents("schema"):
             with self.subTest(path.name):
                 doc = App.openDocument(str(path))
                 feature = doc.getObject("Thicken")
                 self.assertEqual(feature.SchemaVersion, params.SCHEMA_VERSION)
                 self.assertEqual((feature.Thickness.Value, feature.Side), (1.5, "Positive"))
+                self.assertEqual(feature.Quality, "Standard")
+                self.assertEqual(feature.getEnumerationsOfProperty("Quality"), list(params.QUALITY_NUMBER))
                 self.assert_solid(feature)
                 feature.Thickness = 1
                 doc.recompute()
                 self.assert_solid(feature)
                 self.assertAlmostEqual(feature.Volume.Value, 100, places=6)
 
+    def test_those_of_the_other_kinds_do_as_well(self):
+        for path in self.documents("others"):
+            doc = App.openDocument(str(path))
+            for name, proxy in self.OTHERS.items():
+                with self.subTest(f"{path.name}, {name}"):
+                    feature = doc.getObject(name)
+                    self.assertIsInstance(feature.Proxy, proxy)
+                    self.assertEqual(feature.SchemaVersion, proxy.schema)
+                    feature.touch()
+                    doc.recompute()
+                    self.assertTrue(feature.isValid(), feature.getStatusString())
+            self.assertEqual((doc.DrainHoles.HoleCount, doc.DrainHoles.Count), (2, 2))
+            self.assertTrue(doc.Plugs.Mesh.isSolid())
+            self.assertEqual(doc.Repair.Weld.Value, 0.25)
+            self.assertAlmostEqual(doc.HollowSolid.Shape.Volume, 20**3 - 16**3, places=6)
 
-def make_fixture() -> None:
-    """Write the document of the present schema; to be called once, before the next one is begun."""
+    def test_a_document_from_before_there_were_schemas(self):
+        made = ThickenWorkbench.make_repair(self.doc, self.add_source(plate()))
+        made.setPropertyStatus("SchemaVersion", "-LockDynamic")
+        made.removeProperty("SchemaVersion")
+        self.doc.saveAs(str(self.folder / "old.FCStd"))
+        App.closeDocument(self.doc.Name)
+        self.doc = App.openDocument(str(self.folder / "old.FCStd"))
+        self.assertEqual(self.doc.Repair.SchemaVersion, 1)
+
+    def test_a_newer_programs_document_keeps_its_number(self):
+        made = ThickenWorkbench.make_repair(self.doc, self.add_source(plate()))
+        made.SchemaVersion = 99
+        made.Proxy.onDocumentRestored(made)
+        self.assertEqual(made.SchemaVersion, 99)
+
+
+def make_fixtures() -> None:
+    """Write the documents of the present schemas; to be called once, before the next ones are begun."""
     doc = App.newDocument("Fixture")
     source = doc.addObject("Mesh::Feature", "Scan")
     source.Mesh = mesh_io.mesh_from_arrays(*plate(size=10, n=4))
     ThickenWorkbench.make_thicken(doc, source, thickness=1.5, side="positive")
     OlderDocuments.FIXTURES.mkdir(exist_ok=True)
     doc.saveAs(str(OlderDocuments.FIXTURES / f"schema_{params.SCHEMA_VERSION}.FCStd"))
+    doc = App.newDocument("Others")
+    hollow, scan = (doc.addObject("Mesh::Feature", name) for name in ("Hollow", "Scan"))
+    hollow.Mesh = mesh_io.mesh_from_arrays(*together(box((0, 0, 0), (20, 20, 20)), box((2, 2, 2), (18, 18, 18), inward=True)))
+    scan.Mesh = mesh_io.mesh_from_arrays(*crossing_plates())
+    ThickenWorkbench.make_drain_holes(doc, hollow, 3, count=2, plug=True)
+    ThickenWorkbench.make_repair(doc, scan, 0.25)
+    ThickenWorkbench.make_part_solid(doc, hollow)
+    schema = max(proxy.schema for proxy in OlderDocuments.OTHERS.values())
+    doc.saveAs(str(OlderDocuments.FIXTURES / f"others_{schema}.FCStd"))

@@ -57,7 +57,7 @@ class HollowBox(DocumentCase):
         self.solid.Placement = App.Placement(App.Vector(5, 0, 0), App.Rotation(App.Vector(0, 1, 0), 90))
         feature = self.drill(3)
         self.assert_drilled(feature, self.volume - 2 * prism(3))
-        self.assertEqual(feature.Placement, self.solid.Placement)
+        self.assert_same_place(feature.Placement, self.solid.Placement)
         down = self.solid.Placement.Rotation.multVec(feature.HoleAxes[0])
         self.assertTrue(down.isEqual(App.Vector(0, 0, -1), 1e-9))
 
@@ -74,6 +74,36 @@ class HollowBox(DocumentCase):
         self.assert_drilled(feature, self.volume - 2 * 2 * prism(2))
         self.assertTrue(feature.HoleAxes[0].isEqual(App.Vector(0, 0, -1), 1e-9))
         self.assertTrue(feature.HoleAxes[1].isEqual(App.Vector(-1, 0, 0), 1e-9))
+
+    def test_what_stays_below_a_place_is_told(self):
+        feature = self.drill(3, places=[(10, 0, 10)])  # into a side: a cavity of 16 mm from z = 2 on
+        self.assertEqual(feature.HoleCount, 1)
+        self.assertRegex(" ".join(feature.Warnings), r"6\.5 mm of resin, about 1\.66 mL, stay below")
+        facts = ThickenWorkbench.printability(feature)
+        (pool,) = facts["pools"]
+        self.assertAlmostEqual(pool["depth_mm"], 6.5, delta=0.01)
+        self.assertAlmostEqual(pool["volume_ml"], 16 * 16 * 6.5 / 1000, delta=0.003)
+        self.assertAlmostEqual(pool["lowest_place_mm"][2], 2, places=5)
+        self.assertFalse(facts["printable"])
+        self.assertRegex(" ".join(facts["warnings"]), "1.66 mL of resin stay")
+        self.assertEqual(ThickenWorkbench.printability(feature, direction=(0, 1, 0))["pools"], [])
+
+    def test_edges_of_holes_are_no_thin_walls(self):
+        feature = self.drill(3, places=[(10, 0, 4)])
+        walls = ThickenWorkbench.thickness_map(feature)
+        self.assertAlmostEqual(walls.minimum, 2, places=4)
+
+    def test_regions_stay(self):
+        from ThickenWorkbench.regions import facet_regions
+
+        feature = self.drill(3)
+        regions = facet_regions(feature)
+        self.assertEqual(len(regions), feature.Mesh.CountFacets)
+        self.assertEqual(set(regions), {0, 2})
+        vertices, triangles = mesh_io.arrays_from_mesh(feature.Mesh)
+        middles = vertices[triangles].mean(axis=1)
+        within = np.hypot(middles[:, 0] - 10, middles[:, 1] - 10) < 1.6
+        np.testing.assert_array_equal(regions == 2, within & (middles[:, 2] > 0.01) & (middles[:, 2] < 1.99))
 
     def test_places_are_global_and_follow_the_solid(self):
         self.solid.Placement = App.Placement(App.Vector(100, 0, 0), App.Rotation())
@@ -191,7 +221,7 @@ class SeveralCavities(DocumentCase):
         feature = ThickenWorkbench.make_drain_holes(self.doc, self.add_source(solid), 4)
         self.assertTrue(feature.isValid(), feature.getStatusString())
         self.assertEqual((feature.HoleCount, feature.Trapped), (1, 1))
-        self.assertRegex(" ".join(feature.Warnings), r"stay closed, of 0\.001 mL")
+        self.assertRegex(" ".join(feature.Warnings), r"stay closed: 1, of 0\.001 mL")
 
 
 class HollowSphere(DocumentCase):

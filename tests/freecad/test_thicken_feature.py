@@ -2,6 +2,7 @@
 """The parametric feature: what it makes, and what makes it recompute."""
 
 import unittest
+from unittest import mock
 
 import FreeCAD as App
 import numpy as np
@@ -157,11 +158,46 @@ class Place(DocumentCase):
         source.Placement = self.PLACEMENT
         feature = ThickenWorkbench.make_thicken(self.doc, source, thickness=1)
         self.assert_solid(feature)
-        self.assertEqual(feature.Placement, self.PLACEMENT)
+        self.assert_same_place(feature.Placement, self.PLACEMENT)
         self.assertTrue(keeps(corners(feature.Mesh), corners(source.Mesh)))
         source.Placement = App.Placement()
         self.doc.recompute()
         self.assertTrue(feature.Placement.isIdentity())
+        self.assert_solid(feature)
+
+    def test_moving_the_source_computes_nothing(self):
+        source = self.add_source(saddle())
+        feature = ThickenWorkbench.make_thicken(self.doc, source, 1)
+        with mock.patch("ThickenWorkbench.precomputed.thicken_mesh", side_effect=AssertionError("computed again")):
+            source.Placement = self.PLACEMENT
+            self.doc.recompute()
+            self.assertTrue(feature.isValid(), feature.getStatusString())
+            self.assert_same_place(feature.Placement, self.PLACEMENT)
+        self.assert_solid(feature)
+
+    def test_an_undone_edit_computes_nothing(self):
+        self.doc.UndoMode = 1
+        feature = ThickenWorkbench.make_thicken(self.doc, self.add_source(saddle()), 1)
+        volume = feature.Volume.Value
+        self.doc.openTransaction("Edit")
+        feature.Thickness = 2
+        self.doc.recompute()
+        self.doc.commitTransaction()
+        self.assertGreater(feature.Volume.Value, 1.5 * volume)
+        self.doc.undo()
+        with mock.patch("ThickenWorkbench.precomputed.thicken_mesh", side_effect=AssertionError("computed again")):
+            self.doc.recompute()
+            self.assertTrue(feature.isValid(), feature.getStatusString())
+        self.assertEqual(feature.Volume.Value, volume)
+        self.assert_solid(feature)
+
+    def test_a_mesh_that_was_edited_by_hand_is_computed_again(self):
+        feature = ThickenWorkbench.make_thicken(self.doc, self.add_source(saddle()), 1)
+        moved = feature.Mesh.copy()
+        moved.setPoint(0, App.Vector(50, 0, 0))
+        feature.Mesh = moved
+        feature.touch()
+        self.doc.recompute()
         self.assert_solid(feature)
 
     def test_inside_a_part(self):
@@ -173,4 +209,4 @@ class Place(DocumentCase):
         feature = ThickenWorkbench.make_thicken(self.doc, source, thickness=1)
         self.assert_solid(feature)
         self.assertEqual(feature.getParentGeoFeatureGroup(), part)
-        self.assertEqual(feature.getGlobalPlacement(), source.getGlobalPlacement())
+        self.assert_same_place(feature.getGlobalPlacement(), source.getGlobalPlacement())

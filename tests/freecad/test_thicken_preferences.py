@@ -60,7 +60,7 @@ class Documents(unittest.TestCase):
         ]
         self.assertGreater(len(menus), 6)
         for menu in menus:
-            self.assertIn(f"| *{menu.removesuffix(' …')}* |", self.text)
+            self.assertIn(f"| *{menu.removesuffix('...')}* |", self.text)
 
     def test_every_picture_is_there_and_small(self):
         tutorial = (ROOT / "docs" / "tutorial.md").read_text()

@@ -10,6 +10,7 @@ from pathlib import Path
 from unittest import mock
 
 import FreeCAD as App
+import Mesh
 import numpy as np
 import Part
 
@@ -116,6 +117,25 @@ class Printability(DocumentCase):
         self.assertFalse(facts["printable"])
         self.assertRegex(" ".join(facts["warnings"]), r"traps 4\.1 mL.*drain holes")
         json.dumps(facts)
+
+    def test_a_link_is_measured_where_it_is(self):
+        cube = self.doc.addObject("Mesh::Feature", "Cube")
+        cube.Mesh = Mesh.createBox(10, 10, 10)
+        cube.Placement.Base = App.Vector(0, 0, 7)
+        part = self.doc.addObject("App::Part", "Part")
+        part.Placement.Base = App.Vector(1000, 0, 0)
+        link = self.doc.addObject("App::Link", "Link")
+        link.LinkedObject = cube
+        link.Placement = App.Placement(App.Vector(0, 200, 0), App.Rotation(App.Vector(0, 0, 1), 90))
+        part.addObject(link)
+        self.doc.recompute()
+        low, high = (ThickenWorkbench.printability(link)["bounding_box"][key] for key in ("low_mm", "high_mm"))
+        np.testing.assert_allclose(np.add(low, high) / 2, (1000, 200, 0), atol=1e-4)
+        facts = ThickenWorkbench.export_for_printing(link, self.folder / "link.stl")
+        self.assertAlmostEqual(facts["volume_ml"], 1, places=5)
+        link.Scale = 2
+        with self.assertRaisesRegex(RefusedError, "a link that scales"):
+            ThickenWorkbench.printability(link)
 
     def test_drained_and_thick_enough_is_printable(self):
         drained = ThickenWorkbench.make_drain_holes(self.doc, hollow_box(self), 4)

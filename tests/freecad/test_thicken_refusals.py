@@ -79,7 +79,7 @@ class Refusals(DocumentCase):
         # give() replaced the mesh and with it FreeCAD's Placement: set it again
         self.source.Placement = App.Placement(App.Vector(1000, 0, 0), App.Rotation())
         self.doc.recompute()
-        self.assert_refused(self.feature, "Placement of “Scan”")
+        self.assert_refused(self.feature, "In the document the first place is at (991, 3, 0) mm.")
 
     def test_no_source(self):
         self.feature.Source = None
@@ -108,7 +108,7 @@ class Refusals(DocumentCase):
         self.feature.Tolerance = 1e-9
         self.doc.recompute()
         self.assert_refused(self.feature, "tolerance")
-        self.feature.Quality = "Automatic"
+        self.feature.Quality = "Standard"
         self.doc.recompute()
         self.assert_solid(self.feature)
 
@@ -132,7 +132,7 @@ class Refusals(DocumentCase):
     def test_missing_extension(self):
         with tempfile.TemporaryDirectory() as empty, mock.patch.object(native, "_loaded", None):
             with mock.patch.dict(os.environ, {native.DIRECTORY_VARIABLE: empty}):
-                self.feature.touch()
+                self.feature.Thickness = 0.7
                 self.doc.recompute()
                 self.assert_refused(self.feature, "does not exist", native.file_name())
         self.feature.touch()

@@ -6,7 +6,7 @@ import numpy as np
 
 import ThickenWorkbench
 from ThickenWorkbench import mesh_io
-from ThickenWorkbench.repair_feature import _WORDS
+from ThickenWorkbench.repair_feature import words
 from ThickenWorkbench.sources import RefusedError
 from thicken_case import DocumentCase
 from thicken_surfaces import crossing_plates, fin, plate
@@ -78,5 +78,5 @@ class Repair(DocumentCase):
         from pathlib import Path
 
         text = (Path(__file__).resolve().parents[2] / "docs" / "report.md").read_text()
-        for kind in _WORDS:
+        for kind in words():
             self.assertIn(f"`{kind}`", text)

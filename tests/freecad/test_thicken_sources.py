@@ -76,7 +76,7 @@ class Shapes(DocumentCase):
         self.doc.recompute()
         self.assert_solid(feature)
         self.assertAlmostEqual(feature.Volume.Value, 200, places=6)
-        self.assertEqual(feature.Placement, PLACEMENT)
+        self.assert_same_place(feature.Placement, PLACEMENT)
 
     def test_exchanged_shape_recomputes(self):
         part = self.add_shape(Part.makeBox(10, 10, 10))
@@ -118,7 +118,7 @@ class Shapes(DocumentCase):
         feature = ThickenWorkbench.make_thicken(self.doc, box, 1, faces=["Face6"])
         box.Shape = Part.makeSphere(3)
         self.doc.recompute()
-        self.assert_refused(feature, "Face6", "1 faces")
+        self.assert_refused(feature, "Face6", "the last one is Face1")
 
     def test_faces_of_an_earlier_source_are_left_aside(self):
         feature = ThickenWorkbench.make_thicken(self.doc, self.add_shape(Part.makeBox(9, 9, 9)), 1, faces=["Face6"])

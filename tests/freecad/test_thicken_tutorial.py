@@ -18,6 +18,16 @@ class Tutorial(DocumentCase):
     def read(self, name):
         return self.add_source(ThickenWorkbench.read_mesh(DATA / name), Path(name).stem)
 
+    def test_every_file_that_it_names_is_there(self):
+        text = (DATA.parents[1] / "docs" / "tutorial.md").read_text()
+        names = set(re.findall(r"`(\w+\.(?:stl|ply))`", text))
+        self.assertGreaterEqual(len(names), 3)
+        for name in names:
+            self.assertTrue((DATA / name).is_file(), name)
+
+    def test_a_bracket(self):
+        self.assertEqual(ThickenWorkbench.check_surface(self.read("bracket.stl")), [])
+
     def slice(self, path):
         program = shutil.which("prusa-slicer")
         if program is None:
@@ -38,24 +48,30 @@ class Tutorial(DocumentCase):
         self.assertGreater(len(layers), 20)
 
     def test_a_jacket_for_a_bone(self):
-        scan = self.read("femur.ply")
+        scan = self.read("bone.stl")
         self.assertEqual(ThickenWorkbench.check_surface(scan), [])
         jacket = ThickenWorkbench.make_thicken(self.doc, scan, "3 mm", "positive")
         self.assert_solid(jacket)
+        facts = ThickenWorkbench.printability(jacket)
+        self.assertTrue(facts["printable"], facts["warnings"])
+        self.assertAlmostEqual(facts["thinnest_wall"]["mm"], jacket.ThinnestWall.Value, delta=0.1)
         path = self.folder / "jacket.stl"
         ThickenWorkbench.export_for_printing(jacket, path)
         assert_judged_solid(self, path)
         self.slice(path)
 
     def test_a_hollow_pawn(self):
-        hollow = ThickenWorkbench.make_thicken(self.doc, self.read("pawn.ply"), "2 mm")
+        hollow = ThickenWorkbench.make_thicken(self.doc, self.read("pawn.stl"), "2 mm")
         self.assert_solid(hollow)
         report = ThickenWorkbench.printability(hollow)
         self.assertEqual(len(report["trapped"]), 1)
         self.assertGreater(report["thinnest_wall"]["mm"], 1.9)
         drained = ThickenWorkbench.make_drain_holes(self.doc, hollow)
         self.assertTrue(drained.isValid(), drained.getStatusString())
-        self.assertEqual(ThickenWorkbench.printability(drained)["trapped"], [])
+        facts = ThickenWorkbench.printability(drained)
+        self.assertEqual((facts["trapped"], facts["pools"], facts["warnings"]), ([], [], []))
+        self.assertTrue(facts["printable"])
+        self.assertGreater(facts["thinnest_wall"]["mm"], 1.9)  # the edge of the hole is no wall
         path = self.folder / "pawn.stl"
         ThickenWorkbench.export_for_printing(drained, path)
         assert_judged_solid(self, path)

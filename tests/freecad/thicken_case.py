@@ -32,6 +32,10 @@ class DocumentCase(unittest.TestCase):
         source.Mesh = mesh_io.mesh_from_arrays(*surface)
         return source
 
+    def assert_same_place(self, placement, other):
+        """Up to rounding: FreeCAD 1.0 changes the last bit of a rotation that is set."""
+        np.testing.assert_allclose(placement.toMatrix().A, other.toMatrix().A, rtol=0, atol=1e-12)
+
     def assert_solid(self, feature):
         self.assertNotIn("Invalid", feature.State, feature.getStatusString())
         self.assertTrue(feature.isValid())

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "thicken/error.h"
@@ -38,9 +39,13 @@ struct Inspection {
 [[nodiscard]] Inspection inspect(const TriangleMesh& solid, RunContext context = {}, int threads = 0);
 
 /// For each triangle, how far it is from its middle straight through the material to the boundary again,
-/// mm. Triangles beside it do not count: at a sharp edge they are near, and no wall. Infinite for a
-/// triangle without area and where nothing lies opposite. Throws only kCancelled.
+/// mm; infinite where that is no wall:
+/// - triangles with a corner in common do not count, nor what does not face the other way within 60 degrees;
+/// - `isEdge`, empty or a number for each triangle, is not 0 for cross-sections, such as those at a rim and
+///   within a drilled hole: no wall begins or ends there;
+/// - a triangle has no area, or nothing lies opposite.
+/// Throws only kCancelled.
 [[nodiscard]] std::vector<double> wallThickness(const TriangleMesh& solid, RunContext context = {},
-                                                int threads = 0);
+                                                int threads = 0, std::span<const std::uint8_t> isEdge = {});
 
 }  // namespace thicken

@@ -69,7 +69,23 @@ Inspection inspect(const TriangleMesh& solid, RunContext context, int threads) {
   return result;
 }
 
-std::vector<double> wallThickness(const TriangleMesh& solid, RunContext context, int threads) {
+namespace {
+
+// Two sides of a wall face away from each other. Faces whose normals are within 120° meet at an edge instead,
+// or lie in each other's way by chance: chosen so that every edge of 60° and more is none.
+constexpr double kOpposite = 0.5;
+
+Vec3 normalOf(const TriangleMesh& mesh, TriangleId t) {
+  const auto& [a, b, c] = mesh.triangles[t];
+  return (mesh.positions[b] - mesh.positions[a])
+      .cross(mesh.positions[c] - mesh.positions[a])
+      .stableNormalized();
+}
+
+}  // namespace
+
+std::vector<double> wallThickness(const TriangleMesh& solid, RunContext context, int threads,
+                                  std::span<const std::uint8_t> isEdge) {
   const TriangleMesh mesh = weld(solid);
   const RayTree tree(mesh.positions, mesh.triangles);
   std::vector<double> thickness(mesh.triangles.size(), std::numeric_limits<double>::infinity());
@@ -77,8 +93,12 @@ std::vector<double> wallThickness(const TriangleMesh& solid, RunContext context,
     const Triangle& corners = mesh.triangles[t];
     const Vec3& p = mesh.positions[corners[0]];
     const Vec3 u = mesh.positions[corners[1]] - p, v = mesh.positions[corners[2]] - p, normal = u.cross(v);
-    if (normal.squaredNorm() == 0) return;
-    thickness[t] = tree.first(p + (u + v) / 3, -normal.stableNormalized(), corners).along;
+    const bool skipped = !isEdge.empty() && isEdge[t] != 0;
+    if (skipped || normal.squaredNorm() == 0) return;
+    const Vec3 inward = -normal.stableNormalized();
+    const RayTree::Hit hit = tree.first(p + (u + v) / 3, inward, corners);
+    if (!std::isfinite(hit.along) || inward.dot(normalOf(mesh, hit.triangle)) < kOpposite) return;
+    if (isEdge.empty() || isEdge[hit.triangle] == 0) thickness[t] = hit.along;
   });
   return thickness;
 }

@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Panels that something else closes, such as a macro, and what clicks on what they draw leave behind."""
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import Mesh
+
+import ThickenWorkbench
+from ThickenWorkbench.gui import editing
+from ThickenWorkbench.gui.region_colours import painted
+from gui_case import GuiCase, process_events, wait_until
+from thicken_surfaces import crossing_plates, plate, saddle
+
+
+class ClosedByAMacro(GuiCase):
+    def hollow(self):
+        source = self.doc.addObject("Mesh::Feature", "Cube")
+        source.Mesh = Mesh.createBox(20, 20, 20)
+        feature = ThickenWorkbench.make_thicken(self.doc, source, thickness=2)
+        self.look()
+        return feature
+
+    def assert_nothing_is_left(self, panel, obj):
+        """The panel goes with its dialog, no run is waited for, and clicks in the view select again."""
+        Gui.Control.closeDialog()
+        wait_until(lambda: panel._closed, "the panel has closed itself")
+        self.assertIsNone(panel._job)
+        Gui.activeDocument().activeView().viewFront()
+        Gui.SendMsgToActiveView("ViewFit")
+        process_events()
+        view = Gui.activeDocument().activeView()
+        self.click_view(view.getPointOnScreen(obj.Mesh.BoundBox.Center))
+        self.assertEqual([found.Name for found in Gui.Selection.getSelection()], [obj.Name])
+
+    def test_drain_holes(self):
+        solid = self.hollow()
+        self.select(solid)
+        panel = self.run_command("Thicken_Drain")
+        self.assert_nothing_is_left(panel, solid)
+
+    def test_thickness_map(self):
+        solid = self.hollow()
+        before = painted(solid.ViewObject)
+        self.select(solid)
+        panel = self.run_command("Thicken_Map")
+        wait_until(lambda: panel.map is not None, "the map is there")
+        self.assertNotEqual(painted(solid.ViewObject), before)
+        self.assert_nothing_is_left(panel, solid)
+        self.assertEqual(painted(solid.ViewObject), before)
+
+    def test_report_and_check_while_they_compute(self):
+        solid = self.hollow()
+        for command in ("Thicken_Report", "Thicken_Check"):
+            with self.subTest(command):
+                self.select(solid)
+                self.assert_nothing_is_left(self.run_command(command), solid)
+
+    def test_thicken_while_its_preview_computes(self):
+        source = self.add_mesh(plate())
+        self.select(source)
+        panel = self.run_command("Thicken_Make")
+        Gui.Control.closeDialog()
+        wait_until(lambda: panel._closed, "the panel has closed itself")
+        self.assertFalse(panel._preview.busy())
+        self.assertEqual(self.doc.Objects, [source])
+        self.assertEqual(source.ViewObject.Transparency, 0)
+
+
+class Arrow(GuiCase):
+    def test_a_click_on_it_selects_nothing_behind_it(self):
+        source = self.add_mesh(saddle())
+        view = Gui.activeDocument().activeView()
+        view.viewTop()
+        Gui.SendMsgToActiveView("ViewFit")
+        self.select(source)
+        panel = self.run_command("Thicken_Make")
+        side = self.child(panel, "Side").currentIndex()
+        self.click_view(panel._arrow.middle_on_screen())
+        self.assertNotEqual(self.child(panel, "Side").currentIndex(), side)
+        process_events()
+        self.assertEqual(Gui.Selection.getSelection(), [])
+        # Beside the arrow a click selects, as ever.
+        self.click_view(view.getPointOnScreen(App.Vector(8, 8, 0)))
+        process_events()
+        self.assertEqual(Gui.Selection.getSelection(), [source])
+        self.press("Cancel")
+
+
+class EditedAgain(GuiCase):
+    def test_drain_holes(self):
+        cube = self.doc.addObject("Mesh::Feature", "Cube")
+        cube.Mesh = Mesh.createBox(20, 20, 20)
+        hollow = ThickenWorkbench.make_thicken(self.doc, cube, thickness=2)
+        drained = ThickenWorkbench.make_drain_holes(self.doc, hollow, 3)
+        self.look()
+        Gui.getDocument(self.doc.Name).setEdit(drained.Name, 0)
+        panel = editing.current()
+        self.assertAlmostEqual(panel._diameter(), 3)
+        wait_until(lambda: panel.found is not None, "the places are shown")
+        self.child(panel, "Count").setValue(2)
+        self.press("Ok")
+        self.wait_closed()
+        self.assertEqual((drained.HoleCount, drained.Count), (2, 2))
+        self.assertIsNone(Gui.getDocument(self.doc.Name).getInEdit())
+        self.assertTrue(drained.ViewObject.Visibility)
+        self.assertFalse(hollow.ViewObject.Visibility)
+
+    def test_repair(self):
+        repaired = ThickenWorkbench.make_repair(self.doc, self.add_mesh(crossing_plates()))
+        Gui.getDocument(self.doc.Name).setEdit(repaired.Name, 0)
+        process_events()
+        panel = editing.current()
+        self.assertIn("met others", self.child(panel, "Status").text())
+        self.child(panel, "WeldAutomatically").setChecked(False)
+        self.child(panel, "Weld").setProperty("rawValue", 0.01)
+        self.press("Ok")
+        self.wait_closed()
+        self.assertEqual((repaired.WeldAutomatically, repaired.Weld.Value), (False, 0.01))
+        self.assertTrue(repaired.Valid)
+
+
+class Narrow(GuiCase):
+    """FreeCAD 0.20 gives panels 264 pixels, of which a scroll bar and a frame take some."""
+
+    def test_every_panel_fits(self):
+        cube = self.doc.addObject("Mesh::Feature", "Cube")
+        cube.Mesh = Mesh.createBox(20, 20, 20)
+        solid = ThickenWorkbench.make_thicken(self.doc, cube, thickness=2)
+        self.look()
+        self.addCleanup(Gui.setLocale, "English")
+        for language in ("English", "German", "Chinese Simplified"):
+            Gui.setLocale(language)
+            for command, target in (("Make", cube), ("Check", cube), ("Map", solid), ("Drain", solid), ("Report", solid)):
+                with self.subTest(f"{language}, {command}"):
+                    self.select(target)
+                    panel = self.run_command(f"Thicken_{command}")
+                    wait_until(lambda: panel._job is None, "it has computed")
+                    if command == "Make":
+                        self.child(panel, "Advanced").setChecked(True)
+                        panel.form_parts.show_running(True)
+                    process_events()
+                    width = panel.form.minimumSizeHint().width()
+                    panel.reject()
+                    Gui.Control.closeDialog()
+                    process_events()
+                    self.assertLessEqual(width, 236)
+
+
+class Dark(GuiCase):
+    """FreeCAD's dark style sheets change colours, not palettes' grounds."""
+
+    def test_errors_and_links_are_light_on_dark(self):
+        from pathlib import Path
+
+        from PySide import QtGui
+
+        from ThickenWorkbench.gui.tones import tones
+
+        self.select(self.add_mesh(crossing_plates()))
+        panel = self.run_command("Thicken_Make")
+        light = tones(panel.form_parts.title)
+        sheet = Path(App.getResourceDir()) / "Gui" / "Stylesheets" / "Behave-dark.qss"
+        self.addCleanup(QtGui.QApplication.instance().setStyleSheet, "")
+        QtGui.QApplication.instance().setStyleSheet(sheet.read_text())
+        process_events()
+        dark = tones(panel.form_parts.title)
+        for name in light:
+            self.assertGreater(QtGui.QColor(dark[name]).lightness(), QtGui.QColor(light[name]).lightness())
