@@ -39,6 +39,7 @@ def thicken(
     smooth: int | None = None,
     repair: bool = False,
     weld: float | None = None,
+    join: str | None = None,
     threads: int = 0,
     context: RunContext | None = None,
 ) -> dict[str, Any]: ...

@@ -63,6 +63,7 @@ def thicken_mesh(
     smooth: int | None = None,
     repair: bool = False,
     weld: float | None = None,
+    join: Literal["mitre", "round"] | None = None,
     threads: int = 0,
     memory: float | None = None,
     precision: Literal["single", "double"] = "single",
@@ -73,6 +74,8 @@ def thicken_mesh(
     Corners with equal coordinates become one vertex first, as by weld_mesh(). `precision` is that of the format the
     solid is meant for: with "single" (STL, FreeCAD) the surface is rounded to float before anything
     else, with "double" its coordinates stay; new vertices hold float values in either case.
+    `join`: what the shell is like outside of convex edges and corners: "mitre", planes up to twice the thickness
+    away (the default), or "round" (the default with `tolerance` and for "reconstruct").
     `memory` is a limit in MiB. `context` polls and cancels the run from another thread; Ctrl-C
     ends it as well. Other Python threads run meanwhile.
 
@@ -98,6 +101,7 @@ def thicken_mesh(
         smooth=smooth,
         repair=repair,
         weld=weld,
+        join=join,
         threads=threads,
         context=context,
     )

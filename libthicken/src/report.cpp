@@ -30,12 +30,19 @@ Json surfaceFacts(const SurfaceFacts& facts) {
 }
 
 Json parameters(const Report& report) {
-  Json json{{"thickness_mm", report.thickness},
-            {"side", name(report.side)},
-            {"method", name(report.asked)},
-            {"cell_mm", nullptr},
-            {"threads", report.threads}};
+  Json json{{"thickness_mm", report.thickness}, {"side", name(report.side)}, {"method", name(report.asked)},
+            {"join", name(report.join)},        {"cell_mm", nullptr},        {"threads", report.threads}};
   if (report.cell > 0) json["cell_mm"] = report.cell;
+  return json;
+}
+
+Json fallbackFacts(const std::vector<Fallback>& fallbacks) {
+  Json json = Json::array();
+  for (const Fallback& f : fallbacks)
+    json.push_back({{"stage", f.stage},
+                    {"reason", f.reason},
+                    {"place_mm", {f.place.x(), f.place.y(), f.place.z()}},
+                    {"area_mm2", f.area}});
   return json;
 }
 
@@ -179,6 +186,7 @@ std::string toJson(const Report& report) {
   json["thinnest_through"] = thinPlace(report.thinnestThrough, report.thinnestThroughPlace, report.thickness);
   json["thin_share"] = report.thinShare;
   json["audit"] = verdicts(report.audit);
+  json["fallbacks"] = fallbackFacts(report.fallbacks);
   json["warnings"] = report.warnings;
   return text(json);
 }

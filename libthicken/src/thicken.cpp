@@ -10,9 +10,11 @@
 #include "check/audit.h"
 #include "measure/error_bound.h"
 #include "measure/measure.h"
+#include "measure/offset_error.h"
 #include "measure/stopwatch.h"
 #include "measure/warnings.h"
 #include "mesh/float_lattice.h"
+#include "mesh/topology.h"
 #include "parallel_for.h"
 #include "plan.h"
 #include "reconstruct/reconstruct.h"
@@ -64,6 +66,7 @@ Solid assemble(Made made, Method method, const SurfaceFacts& input, const Option
   report.input = input;
   report.thickness = options.thickness;
   report.side = options.side;
+  report.join = joinOf(options);
   report.asked = options.method;
   report.method = method;
   report.threads = threads;
@@ -132,8 +135,31 @@ Solid sweptSolid(SweepResult made, const SurfaceFacts& input, const Options& opt
   return solid;
 }
 
+// Where the contour's solid has the sweep's shell for want of better: an entry a connected piece.
+std::vector<Fallback> piecesLeft(const Reconstruction& made, int threads) {
+  std::vector<Triangle> left;
+  for (std::size_t t = 0; t < made.left.size(); ++t)
+    if (made.left[t]) left.push_back(made.mesh.triangles[t]);
+  if (left.empty()) return {};
+  const Components pieces = componentsOf(made.mesh.positions.size(), left, threads);
+  std::vector<Fallback> fallbacks(
+      pieces.count,
+      {"contour",
+       "triangles of the contour met each other or the wall there, in cells of every width that was tried",
+       Vec3::Zero(), 0});
+  for (std::size_t t = 0; t < left.size(); ++t) {
+    Fallback& piece = fallbacks[pieces.ofTriangle[t]];
+    const double area = areaOf(made.mesh.positions, left[t]);
+    piece.area += area;
+    for (const VertexId v : left[t]) piece.place += area / 3 * made.mesh.positions[v];
+  }
+  for (Fallback& piece : fallbacks) piece.place /= piece.area;
+  return fallbacks;
+}
+
 Solid reconstructedSolid(Reconstruction made, Method method, const SurfaceFacts& input,
                          const Options& options, int threads) {
+  std::vector<Fallback> left = piecesLeft(made, threads);
   const double cell = made.cell, finest = made.finest;
   const std::size_t predicted = made.predicted, cells = made.cells, nodes = made.nodes;
   Solid solid = assemble(std::move(made), method, input, options, threads);
@@ -143,6 +169,7 @@ Solid reconstructedSolid(Reconstruction made, Method method, const SurfaceFacts&
   solid.report.fieldNodes = nodes;
   solid.report.finestCell = finest;
   solid.report.predictedMemory = predicted;
+  solid.report.fallbacks = std::move(left);
   return solid;
 }
 
@@ -152,30 +179,40 @@ bool leavesTheSweep(const Error& e) {
          e.code() == ErrorCode::kInternal;
 }
 
+// What the report says where the sweep stands for all of a contour.
+Fallback fallbackFor(const Error& e, std::string stage, const TriangleMesh& surface) {
+  Fallback fallback{std::move(stage), e.what(), Vec3::Zero(), areaOf(surface)};
+  if (!e.defects().empty()) fallback.place = e.defects().front().place;
+  return fallback;
+}
+
 // The sweep with the contour of the field where it is short of the thickness; nothing where it is not, or
 // where no contour could be joined to it.
 std::optional<Solid> deepenedSolid(const TriangleMesh& oriented, const ClosestPointTree& tree,
                                    const SweepResult& swept, const SurfaceFacts& input,
                                    const Options& options, const RunContext& context, int threads,
-                                   Stopwatch& watch) {
+                                   Stopwatch& watch, std::vector<Fallback>& fallbacks) {
   try {
     std::optional<Reconstruction> made = deepen(oriented, tree, swept, options, context, threads, watch);
     if (!made) return std::nullopt;
     return reconstructedSolid(std::move(*made), Method::kAuto, input, options, threads);
   } catch (const Error& e) {
     if (!leavesTheSweep(e)) throw;
+    fallbacks.push_back(fallbackFor(e, e.code() == ErrorCode::kMemoryLimit ? "memory" : "contour", oriented));
     return std::nullopt;
   }
 }
 
 // Proves the better of the two, or the sweep where the other fails. `order`: audit()'s, for the sweep.
 Solid provedOf(std::optional<Solid> better, std::optional<Solid> swept, const TriangleMesh& surface,
-               Side side, const RunContext& context, int threads, std::span<const TriangleId> order) {
+               Side side, const RunContext& context, int threads, std::span<const TriangleId> order,
+               std::vector<Fallback>& fallbacks) {
   if (better) try {
       proveOrThrow(*better, surface, side, context, threads);
       return std::move(*better);
     } catch (const Error& e) {
       if (!swept || !leavesTheSweep(e)) throw;
+      fallbacks.push_back(fallbackFor(e, "audit", surface));
     }
   proveOrThrow(*swept, surface, side, context, threads, order);
   return std::move(*swept);
@@ -189,6 +226,7 @@ Solid provedSolid(const TriangleMesh& surface, const TriangleMesh& oriented, con
   std::optional<Solid> better, swept;
   ShellDistances sweptShell;
   std::vector<TriangleId> sweptOrder;
+  std::vector<Fallback> fallbacks;
   if (options.method == Method::kReconstruct) {
     better = reconstructedSolid(reconstruct(oriented, tree, options, context, threads, watch),
                                 Method::kReconstruct, input, options, threads);
@@ -197,15 +235,16 @@ Solid provedSolid(const TriangleMesh& surface, const TriangleMesh& oriented, con
     SweepResult made = sweep(oriented, tree, options.thickness, side, context, threads);
     watch.lap("sweep");
     if (options.method == Method::kAuto && side == Side::kNegative)
-      better = deepenedSolid(oriented, tree, made, input, options, context, threads, watch);
+      better = deepenedSolid(oriented, tree, made, input, options, context, threads, watch, fallbacks);
     sweptShell = {std::move(made.distance), std::move(made.nearest)};
     sweptOrder = std::move(made.order);
     swept = sweptSolid(std::move(made), input, options, threads);
   }
 
   context.enter(Stage::kAuditing, kSwept, kAudited);
-  Solid solid =
-      provedOf(std::move(better), std::move(swept), surface, options.side, context, threads, sweptOrder);
+  Solid solid = provedOf(std::move(better), std::move(swept), surface, options.side, context, threads,
+                         sweptOrder, fallbacks);
+  solid.report.fallbacks.insert(solid.report.fallbacks.end(), fallbacks.begin(), fallbacks.end());
   watch.lap("audit");
 
   context.enter(Stage::kMeasuring, kAudited, 1);

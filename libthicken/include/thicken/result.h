@@ -45,12 +45,22 @@ struct AuditFacts {
   }
 };
 
+/// A place where the contour was to make the shell and did not: the sweep's own shell is there, which is
+/// valid and may be thinner than asked.
+struct Fallback {
+  std::string stage;   ///< "contour": could not be joined there; "audit": did not pass; "memory": no room
+  std::string reason;  ///< a complete sentence
+  Vec3 place = Vec3::Zero();  ///< mm, in the middle of it
+  double area = 0;            ///< mm² of the shell
+};
+
 struct Report {
   SurfaceFacts input;                 ///< as it was given, before any repair
   NearRims nearRims;                  ///< of the surface that was thickened
   std::optional<RepairFacts> repair;  ///< with Options::repair: what was done to it
   double thickness = 0;               ///< mm
   Side side = Side::kNegative;
+  Join join = Join::kMitre;                    ///< that was made
   Method asked = Method::kAuto;                ///< as it was asked for
   Method method = Method::kAuto;               ///< what made it; kAuto: the sweep and the contour together
   double cell = 0;                             ///< mm; 0 where no field was computed
@@ -83,6 +93,7 @@ struct Report {
   std::size_t droppedCopies = 0;             ///< vertices of S without a copy on the shell
   std::size_t rounds = 0;    ///< rounds of retests that the sweep took; 0 where there was none
   std::size_t attempts = 0;  ///< attempts after the first that the contour took; 0 where there was none
+  std::vector<Fallback> fallbacks;  ///< where the sweep was left instead of a contour
   AuditFacts audit;
   std::vector<std::string> warnings;  ///< complete sentences
 };

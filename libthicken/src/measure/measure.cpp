@@ -11,6 +11,7 @@
 
 #include "bvh/ray_tree.h"
 #include "bvh/spatial_order.h"
+#include "measure/offset_error.h"
 #include "measure/shell_samples.h"
 #include "mesh/normals.h"
 #include "mesh/parallel_sort.h"
@@ -74,11 +75,14 @@ ShellDistances shellDistances(const Solid& solid, const ClosestPointTree& tree, 
 }
 
 // The error over the whole shell, and over the triangles whose corners are all as deep as asked.
-void measureShell(Solid& solid, const ClosestPointTree& tree, const ShellDistances& known, Measure what,
-                  const RunContext& context, int threads) {
+void measureShell(Solid& solid, const TriangleMesh& surface, const ClosestPointTree& tree,
+                  const ShellDistances& known, Measure what, const RunContext& context, int threads) {
   constexpr double kFull = 0.99;
   constexpr std::size_t kEnough = 25000;  // triangles that represent a shell of more
   const double r = solid.report.thickness;
+  const auto normal = faceNormals(surface.positions, surface.triangles, threads);
+  const auto around = vertexTriangles(surface.positions.size(), surface.triangles, threads);
+  const OffsetError error(surface, normal, around, r, solid.report.join);
   std::vector<TriangleId> shell;
   for (TriangleId t = 0; t < solid.region.size(); ++t)
     if (solid.region[t] == Region::kShell) shell.push_back(t);
@@ -107,8 +111,8 @@ void measureShell(Solid& solid, const ClosestPointTree& tree, const ShellDistanc
             query.hint = near[i];
             return true;
           },
-          [&](std::uint32_t i, std::size_t k, const Vec3&, const ClosestPoint& c) {
-            samples[each * i + k].error = c.onRim ? -1 : std::abs(c.distance / r - 1);
+          [&](std::uint32_t i, std::size_t k, const Vec3& p, const ClosestPoint& c) {
+            samples[each * i + k].error = c.onRim ? -1 : std::abs(error.at(p, c).mm) / r;
           });
   std::vector<Sample> full;
   for (std::size_t i = 0; i < shell.size(); ++i) {
@@ -301,7 +305,7 @@ void measure(Solid& solid, const TriangleMesh& surface, const ClosestPointTree& 
       report.area = areaOf(solid.mesh);
   });
   known = shellDistances(solid, tree, std::move(known), context, threads);
-  measureShell(solid, tree, known, what, context, threads);
+  measureShell(solid, surface, tree, known, what, context, threads);
   const std::vector<double> depth = depthsWithin(solid);
   findThinnestThrough(solid, context, threads);
   findThinnest(solid, known.distance, areaOf(surface));

@@ -58,8 +58,8 @@ CLI::Validator mebibytes() {
 
 // A choice by the words that the library prints. CLI11's own transformer lists the numbers behind
 // the words, too.
-template <class Value>
-void addChoice(CLI::App& app, const std::string& flag, Value& value, const std::vector<Value>& choices,
+template <class Value, class Target>
+void addChoice(CLI::App& app, const std::string& flag, Target& value, const std::vector<Value>& choices,
                const std::string& help) {
   std::string list;
   for (const Value choice : choices) list += (list.empty() ? "" : ", ") + std::string(name(choice));
@@ -100,9 +100,9 @@ void describeThicken(CLI::App& app, Arguments& arguments) {
       ->required()
       ->check(length())
       ->type_name("R");
-  addChoice(app, "--side", options.side, {Side::kNegative, Side::kPositive, Side::kBoth},
+  addChoice(app, "--side", options.side, std::vector{Side::kNegative, Side::kPositive, Side::kBoth},
             "Side of the surface for the material");
-  addChoice(app, "--method", options.method, {Method::kAuto, Method::kSweep, Method::kReconstruct},
+  addChoice(app, "--method", options.method, std::vector{Method::kAuto, Method::kSweep, Method::kReconstruct},
             "Way to build the solid");
   app.add_option("--cell", options.cell, "Width of the field's cells, mm")->check(length())->type_name("W");
   app.add_option("--resolution", options.resolution, "Or: cells along the longest side")->type_name("N");
@@ -110,6 +110,8 @@ void describeThicken(CLI::App& app, Arguments& arguments) {
                  "Or: farthest that the shell may be from its definition, mm")
       ->check(length())
       ->type_name("E");
+  addChoice(app, "--join", options.join, std::vector{Join::kMitre, Join::kRound},
+            "Shell outside of convex edges");
   app.add_option("--smooth", options.smooth, "Rounds of shape optimisation")->type_name("ROUNDS");
   app.add_flag("--repair", options.repair, "Mend a defective surface first and report every change");
   app.add_option("--weld", options.weld, "With --repair: join rims that are at most so far apart, mm")
