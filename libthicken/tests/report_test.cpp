@@ -49,6 +49,7 @@ Report sampleReport() {
   report.thinnestPlace = Vec3(1, 2, 3);
   report.thinShare = 0.125;
   report.audit.closed = true;
+  report.fallbacks = {{"contour", "triangles meet", {1, 2, 3}, 0.5}};
   report.warnings = {"the solid is thin"};
   return report;
 }

@@ -131,7 +131,7 @@ std::size_t mostShellCrossings(const TriangleMesh& surface, double r, double wid
 
 std::size_t heldBytes(const TriangleMesh& surface) {
   // Measured, with a margin.
-  constexpr std::size_t kPerTriangle = 850, kBase = std::size_t{10} << 20;
+  constexpr std::size_t kPerTriangle = 900, kBase = std::size_t{10} << 20;
   return kBase + kPerTriangle * surface.triangles.size();
 }
 

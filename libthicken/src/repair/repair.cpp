@@ -89,6 +89,16 @@ double distanceToWeld(const TriangleMesh& surface, const RepairOptions& options)
   return roundingOf(surface);
 }
 
+// Whether no two triangles have a vertex in common. Such a mesh has no sheets whose rims could be joined in
+// order: corners that are near each other are one.
+bool isLoose(const TriangleMesh& surface) {
+  std::vector<std::uint8_t> used(surface.positions.size(), 0);
+  for (const Triangle& t : surface.triangles)
+    for (const VertexId v : t)
+      if (std::exchange(used[v], std::uint8_t{1}) != 0) return false;
+  return true;
+}
+
 // Moves corners onto near ones and notes the triangles at them.
 void weldNearCorners(Workpiece& piece, double distance, repairing::Ledger& ledger) {
   const repairing::NearCorners near = repairing::nearCorners(piece.mesh, distance);
@@ -170,7 +180,7 @@ RepairResult repair(const TriangleMesh& surface, const RepairOptions& options, R
 
   repairing::Ledger ledger;
   Workpiece piece(surface);
-  weldNearCorners(piece, std::min(distance, roundingOf(surface)), ledger);
+  weldNearCorners(piece, isLoose(surface) ? distance : std::min(distance, roundingOf(surface)), ledger);
   dropBadTriangles(piece, context, threads);
   SeamFacts seams;
   if (options.weldDistance) seams = repairing::joinSeams(piece, distance, ledger);

@@ -99,7 +99,7 @@ struct Plane {
 // The planes of a fan, those merged that are nearly parallel, and the most parallel ones where there are too
 // many.
 std::vector<Plane> planesOf(const Fan& fan, std::span<const Vec3> faceNormal) {
-  constexpr double kParallel = 1e-3;  // 1 − cos: 2.6 degrees, where a mean is off by 1e-3 of r / cos² at most
+  constexpr double kParallel = 1e-4;  // 1 − cos: 0.8 degrees
   std::vector<Plane> planes;
   for (std::size_t i = 0; i < fan.triangle.size(); ++i) planes.push_back({faceNormal[fan.triangle[i]], i, 1});
   while (planes.size() > 3) {
@@ -327,16 +327,17 @@ class CornerDivider {
     std::size_t tried = 0;
     for (const Corner& corner : maker.candidates()) {
       if (maker.errorOf(corner) > before / 2) continue;
-      if (tried++ == kMostTried) break;
       const std::size_t copies = mesh_.copies.size();
       const Copy old = mesh_.copies[firstCopy_ + v];
       const auto chains = put(v, *fan, corner);
-      if (const auto meet = surroundings.meetings(chains); meet && *meet <= *most) {
+      const auto meet = surroundings.meetings(chains);
+      if (meet && *meet <= *most) {
         take(v, *fan, chains);
         return;
       }
       takeBack(copies);
       mesh_.copies[firstCopy_ + v] = old;
+      if (meet && ++tried == kMostTried) break;
     }
     cut(v);
   }
