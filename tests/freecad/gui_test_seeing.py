@@ -135,7 +135,9 @@ class ThicknessMap(GuiCase):
         panel = self.run_command("Thicken_Map")
         wait_until(lambda: panel.map is not None, "the map is there")
         self.assertEqual(self.child(panel, "What").count(), 1)
-        self.assertGreater(len(painted(drained.ViewObject)), 1)
+        # All walls are as thick as asked, and so of one colour, which is none of the regions'.
+        self.assertNotEqual(painted(drained.ViewObject), plain)
+        self.assertAlmostEqual(panel.map.minimum, 2, delta=1e-3)
         self.press("Close")
         self.wait_closed()
         self.assertEqual(painted(drained.ViewObject), plain)
