@@ -40,7 +40,7 @@ constexpr int kMostGrowths = 4;
 // Copies that are farther off the planes around them, in r, get a corner of their own: half of what the shell
 // may be off by.
 constexpr double kCornerOff = 0.005;
-constexpr int kMostCornerRetries = 3;
+constexpr int kMostCornerRetries = 1;
 
 [[noreturn]] void throwNoSolidAt(const SweptMesh& mesh, const std::vector<VertexId>& vertices) {
   const VertexId v = vertices.front();
@@ -300,10 +300,12 @@ SweepResult sweep(const TriangleMesh& surface, const ClosestPointTree& tree, dou
     throwNoSolidAt(mesh, basesOf(mesh, stuck));
   Settled settled;
   int retries = 0;
-  std::vector<std::uint8_t> single(surface.positions.size(), 0);  // vertices that get no corner
+  // Vertices that get no corner: all, where only the room below S is asked for.
+  std::vector<std::uint8_t> single(surface.positions.size(), polishing == Polish::kNo ? 1 : 0);
   for (const SweptMesh plain = mesh;; mesh = plain) {
     Corners corners(mesh, normal, around);
     corners.divide(kCornerOff, single);
+    if (mesh.copies.size() == plain.copies.size()) std::fill(single.begin(), single.end(), std::uint8_t{1});
     setInitialDepths(mesh, tree, context, threads);
     parallelFor(mesh.copies.size(), threads, context, 4096, [&](std::size_t i) { mesh.place(i); });
     if (polishing == Polish::kYes)
@@ -312,7 +314,7 @@ SweepResult sweep(const TriangleMesh& surface, const ClosestPointTree& tree, dou
     for (const Copy& c : mesh.copies) depth.push_back(c.depth);
     settled = settle(mesh, around, single, context, threads);
     if (settled.hopeless.empty()) {
-      cutShort(mesh, corners, depth, around, tree, settled, context, threads);
+      if (polishing == Polish::kYes) cutShort(mesh, corners, depth, around, tree, settled, context, threads);
       break;
     }
     // A corner that must draw back until its copies are one is no corner; where that goes on, none is.
