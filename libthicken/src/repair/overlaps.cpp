@@ -11,7 +11,7 @@
 #include "mesh/half_edges.h"
 #include "mesh/sort_unique.h"
 #include "mesh/topology.h"
-#include "mesh/union_find.h"
+#include "repair/crumbs.h"
 
 namespace thicken::repairing {
 namespace {
@@ -23,25 +23,13 @@ constexpr int kSmoothings = 4;
 
 class Overlaps {
  public:
-  Overlaps(Workpiece& piece, int threads)
-      : piece_(piece), threads_(threads), parts_(piece.mesh.triangles.size()) {
-    const auto& triangles = piece.mesh.triangles;
-    std::vector<TriangleId> first(piece.mesh.positions.size(), kNone);
-    for (TriangleId t = 0; t < triangles.size(); ++t) {
-      if (piece.present[t] == 0) continue;
-      for (const VertexId v : triangles[t])
-        if (first[v] == kNone)
-          first[v] = t;
-        else
-          parts_.join(first[v], t);
-    }
-  }
+  Overlaps(Workpiece& piece, int threads) : piece_(piece), threads_(threads), partOf_(partsOfPiece(piece)) {}
 
   bool run(std::span<const exact::TrianglePair> pairs) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<TriangleId>> meeting;
     for (const auto& [t, u] : pairs) {
       if (piece_.present[t] == 0 || piece_.present[u] == 0) continue;
-      const std::uint32_t a = parts_.root(t), b = parts_.root(u);
+      const std::uint32_t a = partOf_[t], b = partOf_[u];
       if (a == b || normal(t).dot(normal(u)) < kSameOrientation) continue;
       auto& list = meeting[std::minmax(a, b)];
       list.push_back(t);
@@ -67,8 +55,8 @@ class Overlaps {
   void measureParts() {
     for (TriangleId t = 0; t < piece_.mesh.triangles.size(); ++t)
       if (piece_.present[t] != 0) {
-        members_[parts_.root(t)].push_back(t);
-        area_[parts_.root(t)] += piece_.area(t);
+        members_[partOf_[t]].push_back(t);
+        area_[partOf_[t]] += piece_.area(t);
       }
   }
 
@@ -148,7 +136,7 @@ class Overlaps {
 
   Workpiece& piece_;
   int threads_;
-  UnionFind parts_;
+  std::vector<std::uint32_t> partOf_;
   std::map<std::uint32_t, std::vector<TriangleId>> members_;
   std::map<std::uint32_t, double> area_;
 };
