@@ -339,7 +339,10 @@ TEST(Windows, ShowWhatIsNearOneHole) {
   EXPECT_FALSE(windows[0].zone.overlaps(windows[1].zone));
   const TriangleMesh& boundary = of.holes.carried.mesh;
   for (const Window& window : windows) {
-    EXPECT_LT(window.source.size(), (boundary.triangles.size() - of.surface.triangles.size()) / 2);
+    EXPECT_LT(window.source.size(), boundary.triangles.size() / 2);
+    EXPECT_LT(window.surface.triangles.size(), of.surface.triangles.size() / 2);
+    EXPECT_TRUE(std::equal(window.surface.triangles.begin(), window.surface.triangles.end(),
+                           window.part.carried.mesh.triangles.begin()));
     std::size_t open = 0;
     for (std::size_t t = 0; t < window.part.keep.size(); ++t) {
       open += window.part.keep[t] == 0;
@@ -360,6 +363,22 @@ TEST(Windows, ShowWhatIsNearOneHole) {
   }
 }
 
+// What a window holds is the same where the surface goes on far away from it.
+TEST(Windows, DependOnWhatIsInReachAlone) {
+  TwoHoles near, far;
+  for (std::size_t t = 0; t < near.holes.keep.size(); ++t)
+    if (near.holes.carried.mesh.positions[near.holes.carried.mesh.triangles[t][0]].x() > 10)
+      near.holes.keep[t] = 1;
+  const auto one = windowsOf(near.surface, near.holes, near.kThickness, near.kWidth, 1);
+  const auto both = windowsOf(far.surface, far.holes, far.kThickness, far.kWidth, 1);
+  ASSERT_EQ(one.size(), 1u);
+  ASSERT_EQ(both.size(), 2u);
+  EXPECT_EQ(one[0].surface.positions, both[0].surface.positions);
+  EXPECT_EQ(one[0].surface.triangles, both[0].surface.triangles);
+  EXPECT_EQ(one[0].part.carried.mesh.triangles, both[0].part.carried.mesh.triangles);
+  EXPECT_EQ(one[0].cut.edges, both[0].cut.edges);
+}
+
 TEST(Windows, ArePutTogetherToTheWhole) {
   const TwoHoles of;
   const auto windows = windowsOf(of.surface, of.holes, of.kThickness, of.kWidth, 1);
@@ -367,9 +386,8 @@ TEST(Windows, ArePutTogetherToTheWhole) {
   const TriangleMesh& boundary = of.holes.carried.mesh;
   std::vector<std::optional<Reconstruction>> made{TwoHoles::unchanged(windows[0]), std::nullopt};
   EXPECT_TRUE(staysWithin(windows[0], *made[0]));
-  auto whole = withWindows(of.surface, of.holes, windows, made);
-  ASSERT_TRUE(whole);
-  EXPECT_EQ(whole->mesh.triangles.size(), boundary.triangles.size());
+  Reconstruction whole = withWindows(of.surface, of.holes, windows, made);
+  EXPECT_EQ(whole.mesh.triangles.size(), boundary.triangles.size());
 
   // A triangle of a hole is divided in the middle.
   Reconstruction& divided = *made[0];
@@ -388,15 +406,16 @@ TEST(Windows, ArePutTogetherToTheWhole) {
   }
   made[1] = TwoHoles::unchanged(windows[1]);
   whole = withWindows(of.surface, of.holes, windows, made);
-  ASSERT_TRUE(whole);
-  EXPECT_EQ(whole->mesh.triangles.size(), boundary.triangles.size() + 2);
-  EXPECT_EQ(whole->mesh.positions.size(), boundary.positions.size() + 1);
-  EXPECT_TRUE(rimOf(whole->mesh.positions.size(), whole->mesh.triangles).edges.empty());
+  EXPECT_EQ(whole.mesh.triangles.size(), boundary.triangles.size() + 2);
+  EXPECT_EQ(whole.mesh.positions.size(), boundary.positions.size() + 1);
+  EXPECT_TRUE(rimOf(whole.mesh.positions.size(), whole.mesh.triangles).edges.empty());
 
   // Twice the same is once too often.
   const std::vector<Window> twice{windows[0], windows[0]};
   made[1] = made[0];
-  EXPECT_FALSE(withWindows(of.surface, of.holes, twice, made));
+  EXPECT_EQ(withWindows(of.surface, of.holes, twice, made).mesh.triangles.size(),
+            boundary.triangles.size() + 2);
+  EXPECT_FALSE(made[1]);
   // Beyond its zone nothing may change.
   divided.mesh.positions[middle].x() += 20;
   EXPECT_FALSE(staysWithin(windows[0], divided));

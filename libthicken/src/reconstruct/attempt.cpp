@@ -72,10 +72,8 @@ std::vector<TriangleId> Attempt::run(std::span<const std::uint8_t> keep, Stopwat
   carrier_.up = std::move(carrier.up);
   std::vector<TriangleId> meeting = unsettled.empty() ? crowdedTriangles() : unsettled;
   if (meeting.empty()) {
-    if (cut_ == nullptr)
-      dropMisplaced(assembly_, threads_);
-    else
-      requireNoLoosePart(assembly_, threads_);
+    // In a window nothing tells whether a part is misplaced.
+    if (cut_ == nullptr) dropMisplaced(assembly_, threads_);
     labelStrip(assembly_, threads_);
     watch.lap("shape");
     return meeting;
@@ -112,17 +110,18 @@ std::vector<TriangleId> Attempt::crowdedTriangles() const {
 }
 
 // Away from the closest point of S until nothing of S is nearer than the thickness: in a corner from one
-// side after the other.
-Vec3 Attempt::pushedToShell(Vec3 p) const {
+// side after the other. Not out of a window.
+Vec3 Attempt::pushedToShell(const Vec3& from) const {
   constexpr int kMostSteps = 16;
   constexpr double kClose = 0.01;
   const double r = options_.thickness;
+  Vec3 p = from;
   for (int step = 0; step < kMostSteps; ++step) {
     const auto c = tree_.closest(p);
-    if (!(c->distance > 0) || c->distance > (1 - kClose) * r) return p;
+    if (!(c->distance > 0) || c->distance > (1 - kClose) * r) break;
     p = c->point + (r / c->distance) * (p - c->point);
   }
-  return p;
+  return cut_ != nullptr && !cut_->zone.contains(p) ? from : p;
 }
 
 // The sweep's shell where the carrier does not have it. Where it is pushed to is the same in every attempt.

@@ -42,7 +42,7 @@ class Attempt {
   [[nodiscard]] const NodeField& field() const { return contourer_.field(); }
 
  private:
-  [[nodiscard]] Vec3 pushedToShell(Vec3 p) const;
+  [[nodiscard]] Vec3 pushedToShell(const Vec3& from) const;
   [[nodiscard]] Seeds openShell(std::span<const std::uint8_t> keep);
 
   DeepWalls walls_;

@@ -17,13 +17,13 @@
 namespace thicken {
 
 struct Carrier {
-  TriangleMesh mesh;           ///< S's vertices and triangles first
-  VertexId firstDivided = 0;   ///< vertices from here on divide rim edges, rounded to float
-  std::vector<Region> region;  ///< per triangle
+  TriangleMesh mesh;                  ///< S's vertices and triangles first
+  VertexId firstDivided = 0;          ///< vertices from here on divide rim edges, rounded to float
+  std::vector<Region> region;         ///< per triangle
   std::vector<TriangleId> source;     ///< per triangle: of the sweep, that it is or is a part of
   std::vector<std::uint8_t> covered;  ///< per triangle of S: it has shell for it
-  Rim rim;                     ///< its edges are no longer than asked, except those of S
-  std::vector<Vec3> up;        ///< per vertex: from the end of a wall to where it hangs on S; else 0
+  Rim rim;                            ///< its edges are no longer than asked, except those of S
+  std::vector<Vec3> up;               ///< per vertex: from the end of a wall to where it hangs on S; else 0
 };
 
 /// Vertices at which the triangles that `keep` marks (empty: all) form more than one fan.

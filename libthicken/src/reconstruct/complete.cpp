@@ -104,6 +104,12 @@ ContourTask filledIn(ContourTask task, const SweepResult& swept) {
   return task;
 }
 
+// How much of a boundary of so many triangles its finer parts may cost.
+std::size_t allowanceFor(std::size_t triangles) {
+  constexpr std::size_t kLeast = 3'000'000, kTimes = 4;
+  return std::max(kLeast, kTimes * triangles);
+}
+
 class Completion {
  public:
   Completion(const TriangleMesh& surface, const ClosestPointTree& tree, const SweepResult& swept,
@@ -132,7 +138,7 @@ class Completion {
       if (!tired_ && givesWay(meeting)) continue;
       std::vector<TriangleId> stuck = meeting;
       if (!spent_) {
-        Closing closing = closedFiner(surface_, tree_, swept_, task_, attempt_, meeting, givenUp_, options_,
+        Closing closing = closedFiner(surface_, swept_, task_, attempt_, meeting, givenUp_, options_,
                                       context_, threads_, watch_);
         if (closing.made) return told(closed(*std::move(closing.made)));
         stuck = std::move(closing.stuck);
@@ -153,9 +159,9 @@ class Completion {
     if (!task_.allowance) task_.allowance = &allowance_.emplace(allowanceFor(triangles));
     const std::size_t cost = triangles + kMeetingCost * meeting;
     spent_ = *task_.allowance < cost;
-    if (task_.cut && !spent_) *task_.allowance -= cost;
+    if (isNested_ && !spent_) *task_.allowance -= cost;
     const double work = static_cast<double>(round_ + 1) * task_.area / (task_.width * task_.width);
-    tired_ = (round_ + 1 >= kSomeAttempts && work > kMostWork) || (task_.cut && spent_);
+    tired_ = (round_ + 1 >= kSomeAttempts && work > kMostWork) || (isNested_ && spent_);
   }
 
   // Walls that are in the way are drawn back, or pieces of shell given over. Returns whether any were.
@@ -207,7 +213,8 @@ class Completion {
   std::size_t round_ = 0;
   int takenBack_ = 0, givenOver_ = 0;
   std::size_t leastMeeting_ = std::numeric_limits<std::size_t>::max();
-  std::vector<Bounds> givenUp_;           ///< where finer cells did not do
+  std::vector<Bounds> givenUp_;  ///< where finer cells did not do
+  bool isNested_ = task_.allowance != nullptr;
   std::optional<std::size_t> allowance_;  ///< of its own, where the task brings none
   bool spent_ = false, tired_ = false;    ///< of finer cells; of attempts
 };

@@ -46,8 +46,9 @@ std::vector<std::uint8_t> coveredTriangles(const TriangleMesh& surface, const Sw
             [](const BaseTriangle& a, const BaseTriangle& b) { return a.corners < b.corners; });
   for (std::size_t t = 0; t < covered.size(); ++t) {
     const Triangle own = ascending(surface.triangles[t]);
-    const auto copy = std::lower_bound(copies.begin(), copies.end(), own,
-                                       [](const BaseTriangle& c, const Triangle& x) { return c.corners < x; });
+    const auto copy =
+        std::lower_bound(copies.begin(), copies.end(), own,
+                         [](const BaseTriangle& c, const Triangle& x) { return c.corners < x; });
     const auto is = [&](std::span<const std::uint8_t> has) {
       return std::any_of(own.begin(), own.end(), [&](VertexId v) { return has[v] != 0; });
     };

@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "mesh/topology.h"
+#include "measure/error_bound.h"
+#include "measure/stopwatch.h"
 #include "parallel_for.h"
-#include "reconstruct/close_finer.h"
 #include "reconstruct/cut_around.h"
 #include "reconstruct/depths.h"
+#include "reconstruct/in_windows.h"
 #include "reconstruct/loose_parts.h"
 #include "reconstruct/shell_plan.h"
 
@@ -16,95 +17,145 @@ namespace thicken {
 
 namespace {
 
-// A solid of this method in place of the sweep. Only what it left to the sweep knows which vertices it is a
-// copy of: walls elsewhere and the contour stay as they are.
-SweepResult asSwept(const Reconstruction& made, const TriangleMesh& surface, const ClosestPointTree& tree,
-                    const RunContext& context, int threads) {
-  SweepResult swept;
-  swept.mesh = made.mesh;
-  swept.region = made.region;
-  swept.base.assign(made.mesh.positions.size(), kNone);
-  for (VertexId v = 0; v < surface.positions.size(); ++v) swept.base[v] = v;
-  for (std::size_t t = 0; t < made.left.size(); ++t)
-    if (made.left[t])
-      for (const VertexId v : made.mesh.triangles[t]) swept.base[v] = made.base[v];
-  swept.up.assign(swept.base.size(), Vec3::Zero());
-  for (const WallEnd& end : made.ends) swept.up[end.vertex] = end.up;
-  swept.distance.resize(swept.base.size());
-  parallelFor(swept.base.size(), threads, context, 1024, [&](std::size_t v) {
-    if (v >= surface.positions.size() && swept.base[v] != kNone)
-      swept.distance[v] = tree.distance(swept.mesh.positions[v]);
-  });
-  return swept;
-}
+// Parts of a solid's shell that are to be made again in cells of `width` mm.
+struct Parts {
+  std::vector<TriangleId> triangles;
+  double width = 0;
+  bool mayKeepShell = false;  // ContourTask
+};
 
-std::vector<TriangleId> leftOf(const Reconstruction& made) {
-  std::vector<TriangleId> ids;
-  for (TriangleId t = 0; t < made.left.size(); ++t)
-    if (made.left[t]) ids.push_back(t);
-  return ids;
-}
+class Refiner {
+ public:
+  Refiner(const TriangleMesh& surface, const ClosestPointTree& tree, const Options& options,
+          const AllowsCells& isAllowed, const RunContext& context, int threads, Stopwatch& watch)
+      : surface_(surface),
+        tree_(tree),
+        options_(options),
+        isAllowed_(isAllowed),
+        context_(context),
+        threads_(threads),
+        watch_(watch) {}
+
+  // Where sheets are too close for the cells, the sweep's shell may be kept, which may be far too thin.
+  Reconstruction whereLeft(Reconstruction made) {
+    constexpr double kFiner = 0.6, kLittle = 1e-3;  // of the width; of the shell
+    constexpr int kMostTimes = 3;
+    double width = made.cell;
+    for (int i = 0; i < kMostTimes && made.leftArea > kLittle * made.shellArea; ++i) {
+      width *= kFiner;
+      auto finer = again(made, {leftOf(made), width, true});
+      if (!finer) break;
+      if (finer->leftArea < made.leftArea) made = *std::move(finer);
+    }
+    return made;
+  }
+
+  // Errors of a contour go with the square of the width of its cells, but at creases of the shell with the
+  // width itself. So cells that do nearly everywhere are off there, and only there finer ones are taken.
+  Reconstruction toTolerance(Reconstruction made) {
+    constexpr double kFiner = 0.5;
+    constexpr int kMostTimes = 5, kMostFailures = 2;
+    double width = made.cell;
+    for (int i = 0, failures = 0; i < kMostTimes && failures < kMostFailures; ++i) {
+      std::vector<TriangleId> beyond = shellBeyond(made.mesh, made.region, tree_, options_.thickness,
+                                                   Side::kNegative, *options_.tolerance, context_, threads_);
+      watch_.lap("tolerance");
+      if (beyond.empty()) break;
+      // What cannot be joined in cells of one width may be in finer ones.
+      if (auto finer = again(made, {std::move(beyond), width *= kFiner, false}))
+        made = *std::move(finer);
+      else
+        ++failures;
+    }
+    return made;
+  }
+
+ private:
+  static std::vector<TriangleId> leftOf(const Reconstruction& made) {
+    std::vector<TriangleId> ids;
+    for (TriangleId t = 0; t < made.left.size(); ++t)
+      if (made.left[t]) ids.push_back(t);
+    return ids;
+  }
+
+  // A solid of this method in place of the sweep. Only what it left to the sweep knows which vertices it is a
+  // copy of: walls elsewhere and the contour stay as they are.
+  [[nodiscard]] SweepResult asSwept(const Reconstruction& made) const {
+    SweepResult swept;
+    swept.mesh = made.mesh;
+    swept.region = made.region;
+    swept.base.assign(made.mesh.positions.size(), kNone);
+    for (VertexId v = 0; v < surface_.positions.size(); ++v) swept.base[v] = v;
+    for (std::size_t t = 0; t < made.left.size(); ++t)
+      if (made.left[t])
+        for (const VertexId v : made.mesh.triangles[t]) swept.base[v] = made.base[v];
+    swept.up.assign(swept.base.size(), Vec3::Zero());
+    for (const WallEnd& end : made.ends) swept.up[end.vertex] = end.up;
+    swept.distance.resize(swept.base.size());
+    parallelFor(swept.base.size(), threads_, context_, 1024, [&](std::size_t v) {
+      if (v >= surface_.positions.size() && swept.base[v] != kNone)
+        swept.distance[v] = tree_.distance(swept.mesh.positions[v]);
+    });
+    return swept;
+  }
+
+  // `made` with `parts`, and a few triangles around them, contoured again; nothing where that takes more
+  // cells than allowed, or can nowhere be joined.
+  std::optional<Reconstruction> again(const Reconstruction& made, const Parts& parts) {
+    constexpr int kRings = 2;
+    Holes holes;
+    holes.carried = asSwept(made);
+    holes.keep.assign(made.region.size(), 1);
+    holes.openable = made.openable;
+    holes.left = made.left;
+    holes.left.resize(made.region.size(), 0);
+    cutAround(made.mesh, parts.triangles, holes.openable, kRings, holes.keep);
+    if (!isAllowed_(parts.width, openArea(holes.carried, holes.keep))) return std::nullopt;
+    WindowTask task;
+    task.width = parts.width;
+    task.mayKeepShell = parts.mayKeepShell;
+    task.held = heldBytes(surface_);
+    std::optional<Reconstruction> finer =
+        madeInWindows(surface_, holes, task, options_, context_, threads_, watch_);
+    if (finer->finest == 0) return std::nullopt;
+    finer->rounds += made.rounds;
+    finer->cells += made.cells;
+    finer->nodes += made.nodes;
+    finer->predicted = std::max(finer->predicted, made.predicted);
+    finer->shellArea = made.shellArea;
+    finer->cell = made.cell;
+    finer->finest = std::min(finer->finest, made.finest);
+    finer->depth = depthsOf(*finer, surface_, tree_, options_.thickness, context_, threads_);
+    return finer;
+  }
+
+  const TriangleMesh& surface_;
+  const ClosestPointTree& tree_;
+  const Options& options_;
+  const AllowsCells& isAllowed_;
+  const RunContext& context_;
+  int threads_;
+  Stopwatch& watch_;
+};
 
 }  // namespace
 
-std::optional<Reconstruction> contouredAgain(const Reconstruction& made, const FinerParts& parts,
-                                             const TriangleMesh& surface, const ClosestPointTree& tree,
-                                             const Options& options, const RunContext& context, int threads,
-                                             Stopwatch& watch) {
-  constexpr int kRings = 2;
-  Holes holes;
-  holes.carried = asSwept(made, surface, tree, context, threads);
-  holes.keep.assign(made.region.size(), 1);
-  holes.openable = made.openable;
-  holes.left = made.left;
-  holes.left.resize(made.region.size(), 0);
-  cutAround(made.mesh, parts.triangles, holes.openable, kRings, holes.keep);
-  if (!parts.isAllowed(parts.width, openArea(holes.carried, holes.keep))) return std::nullopt;
-  std::size_t allowance = allowanceFor(made.region.size());
-  ContourTask task;
-  task.width = parts.width;
-  task.mayKeepShell = parts.mayKeepShell;
-  task.allowance = &allowance;
-  const std::vector<Window> windows = windowsOf(surface, holes, options.thickness, parts.width, threads);
-  std::vector<std::optional<Reconstruction>> inWindow(windows.size());
-  bool any = false;
-  for (std::size_t i = 0; i < windows.size(); ++i) {
-    inWindow[i] =
-        completeWindow(surface, tree, windows[i], task, heldBytes(surface), options, context, threads, watch)
-            .made;
-    any |= inWindow[i].has_value();
-  }
-  if (!any) return std::nullopt;
-  std::optional<Reconstruction> joined = withWindows(surface, holes, windows, inWindow);
-  if (!joined) return std::nullopt;
-  Reconstruction& finer = *joined;
-  finer.origin.clear();
-  dropMisplaced(finer, surface.positions.size(), threads);
-  finer.depth = depthsOf(finer, surface, tree, options.thickness, context, threads);
-  finer.rounds += made.rounds;
-  finer.cells += made.cells;
-  finer.nodes += made.nodes;
-  finer.predicted = std::max(finer.predicted, made.predicted);
-  finer.shellArea = made.shellArea;
-  finer.cell = made.cell;
-  finer.finest = std::min(finer.finest, made.finest);
-  return joined;
+Reconstruction madeInWindows(const TriangleMesh& surface, const Holes& holes, const WindowTask& task,
+                             const Options& options, const RunContext& context, int threads,
+                             Stopwatch& watch) {
+  InWindows in = completeInWindows(surface, holes, task, options, context, threads, watch);
+  Reconstruction made = withWindows(surface, holes, in.windows, in.made);
+  made.origin.clear();
+  dropMisplaced(made, surface.positions.size(), threads);
+  return made;
 }
 
-Reconstruction withFinerParts(Reconstruction made, const TriangleMesh& surface, const ClosestPointTree& tree,
-                              const Options& options, const AllowsCells& isAllowed, const RunContext& context,
-                              int threads, Stopwatch& watch) {
-  constexpr double kFiner = 0.6, kLittle = 1e-3;  // of the width; of the shell
-  constexpr int kMostTimes = 3;
-  double width = made.cell;
-  for (int i = 0; i < kMostTimes && made.leftArea > kLittle * made.shellArea; ++i) {
-    width *= kFiner;
-    auto finer = contouredAgain(made, {leftOf(made), width, true, isAllowed}, surface, tree, options, context,
-                                threads, watch);
-    if (!finer) break;
-    if (finer->leftArea < made.leftArea) made = *std::move(finer);
-  }
-  return made;
+Reconstruction refined(Reconstruction made, const TriangleMesh& surface, const ClosestPointTree& tree,
+                       const Options& options, const AllowsCells& isAllowed, const RunContext& context,
+                       int threads, Stopwatch& watch) {
+  Refiner refiner(surface, tree, options, isAllowed, context, threads, watch);
+  made = refiner.whereLeft(std::move(made));
+  return options.tolerance ? refiner.toTolerance(std::move(made)) : made;
 }
 
 }  // namespace thicken

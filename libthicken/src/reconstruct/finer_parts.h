@@ -3,12 +3,9 @@
 // Parts of a solid that was made are contoured once more, in finer cells; all else is the carrier for them.
 #pragma once
 
-#include <cstdint>
 #include <functional>
-#include <optional>
-#include <span>
-#include <vector>
 
+#include "reconstruct/in_windows.h"
 #include "reconstruct/reconstruct.h"
 
 namespace thicken {
@@ -16,27 +13,17 @@ namespace thicken {
 /// Whether cells of `width` mm may be taken for `area` mm².
 using AllowsCells = std::function<bool(double width, double area)>;
 
-struct FinerParts {
-  std::span<const TriangleId> triangles;  ///< of the solid's shell, to be made again
-  double width = 0;                       ///< of the cells, mm
-  bool mayKeepShell = false;              ///< ContourTask
-  AllowsCells isAllowed;
-};
+/// A boundary whose holes are closed where they can be; elsewhere it stays as it is. `finest` is 0 where none
+/// can; `depth` and `shellArea` are not set.
+[[nodiscard]] Reconstruction madeInWindows(const TriangleMesh& surface, const Holes& holes,
+                                           const WindowTask& task, const Options& options,
+                                           const RunContext& context, int threads, Stopwatch& watch);
 
-/// `made` with `parts` of its shell, and a few triangles around them, contoured again; nothing where that
-/// takes more cells than allowed, or cannot be joined.
-[[nodiscard]] std::optional<Reconstruction> contouredAgain(const Reconstruction& made,
-                                                           const FinerParts& parts,
-                                                           const TriangleMesh& surface,
-                                                           const ClosestPointTree& tree,
-                                                           const Options& options, const RunContext& context,
-                                                           int threads, Stopwatch& watch);
-
-/// Where sheets are too close for the cells, the carrier may have been given the sweep's shell, which may be
-/// far too thin: `made` with these parts in finer and finer cells.
-[[nodiscard]] Reconstruction withFinerParts(Reconstruction made, const TriangleMesh& surface,
-                                            const ClosestPointTree& tree, const Options& options,
-                                            const AllowsCells& isAllowed, const RunContext& context,
-                                            int threads, Stopwatch& watch);
+/// `made` with what it left to the sweep in finer and finer cells, and then what is not proved to be within
+/// the tolerance of `options`, where there is one, until it is or no finer cells are allowed.
+[[nodiscard]] Reconstruction refined(Reconstruction made, const TriangleMesh& surface,
+                                     const ClosestPointTree& tree, const Options& options,
+                                     const AllowsCells& isAllowed, const RunContext& context, int threads,
+                                     Stopwatch& watch);
 
 }  // namespace thicken

@@ -8,7 +8,6 @@
 #include "mesh/bounds.h"
 #include "mesh/half_edges.h"
 #include "reconstruct/drop_unused.h"
-#include "thicken/error.h"
 
 namespace thicken {
 
@@ -104,12 +103,6 @@ void dropMisplaced(Reconstruction& made, std::size_t surfaceVertices, int thread
   erase(made.openable);
   erase(made.left);
   dropUnused(made, surfaceVertices);
-}
-
-void requireNoLoosePart(const Assembly& assembly, int threads) {
-  const Components parts = componentsOf(assembly.mesh.positions.size(), assembly.mesh.triangles, threads);
-  if (!allOf(hangingOnCarrier(assembly, parts)))
-    throw Error(ErrorCode::kNoSolid, "a part of the contour hangs together with nothing in its window");
 }
 
 }  // namespace thicken

@@ -18,7 +18,4 @@ void dropMisplaced(Assembly& assembly, int threads);
 /// The same of what was put together; `surfaceVertices`: of S, which come first.
 void dropMisplaced(Reconstruction& made, std::size_t surfaceVertices, int threads);
 
-/// Throws kNoSolid where a part is the contour's alone: in a window nothing tells whether it is misplaced.
-void requireNoLoosePart(const Assembly& assembly, int threads);
-
 }  // namespace thicken

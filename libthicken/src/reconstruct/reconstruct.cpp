@@ -8,9 +8,9 @@
 #include "measure/stopwatch.h"
 #include "reconstruct/close_finer.h"
 #include "reconstruct/complete.h"
+#include "reconstruct/depths.h"
 #include "reconstruct/finer_parts.h"
 #include "reconstruct/shell_plan.h"
-#include "reconstruct/tolerable.h"
 #include "sweep/sweep.h"
 #include "sweep/sweep_walls.h"
 
@@ -30,14 +30,6 @@ AllowsCells finerCells(const TriangleMesh& surface, const Options& options, cons
     return !options.cell && !options.resolution && fewCells(width, area) &&
            !workingSetFor(mostCrossings(area, width), heldBytes(surface), context).isLean;
   };
-}
-
-// With finer cells where the sweep was left, and where the tolerance is not kept.
-Reconstruction refined(Reconstruction made, const TriangleMesh& surface, const ClosestPointTree& tree,
-                       const Options& options, const RunContext& context, int threads, Stopwatch& watch) {
-  const AllowsCells isAllowed = finerCells(surface, options, context);
-  made = withFinerParts(std::move(made), surface, tree, options, isAllowed, context, threads, watch);
-  return withinTolerance(std::move(made), surface, tree, options, isAllowed, context, threads, watch);
 }
 
 // The solid with no shell but the contour's.
@@ -61,9 +53,11 @@ Reconstruction wholeContour(const TriangleMesh& surface, const ClosestPointTree&
   // Most surfaces need no more of the sweep than its walls.
   if (const auto walls = sweepWalls(surface, tree, options.thickness, context, threads))
     if (auto made = below(*walls))
-      return refined(*std::move(made), surface, tree, options, context, threads, watch);
+      return refined(*std::move(made), surface, tree, options, finerCells(surface, options, context), context,
+                     threads, watch);
   const SweepResult& all = swept();
-  return refined(*below(all), surface, tree, options, context, threads, watch);
+  return refined(*below(all), surface, tree, options, finerCells(surface, options, context), context, threads,
+                 watch);
 }
 
 }  // namespace
@@ -102,11 +96,24 @@ std::optional<Reconstruction> deepen(const TriangleMesh& surface, const ClosestP
   plan.width = widthWithRoom(surface, mostCrossings(plan.area, own), own, options, context);
   if (!(plan.width < r / 2)) plan.width = own;  // which is refused
   const std::size_t crossings = mostCrossings(plan.area, plan.width);
-  const WorkingSet working = requireRoomForField(surface, crossings, r, plan.width, context);
-  Reconstruction made =
-      *complete(surface, tree, swept, {std::move(plan.keep), plan.area, plan.width, crossings, working, true},
-                options, context, threads, watch);
-  return refined(std::move(made), surface, tree, options, context, threads, watch);
+  (void)requireRoomForField(surface, crossings, r, plan.width, context);
+  Holes holes{swept, plan.keep, {}, {}};
+  for (TriangleId t = 0; t < plan.keep.size(); ++t) {
+    holes.openable.push_back(swept.region[t] == Region::kShell);
+    holes.left.push_back(plan.keep[t] == 0);
+  }
+  WindowTask task;
+  task.width = plan.width;
+  task.mayKeepShell = true;
+  task.anyArea = true;
+  task.held = heldBytes(surface);
+  Reconstruction made = madeInWindows(surface, holes, task, options, context, threads, watch);
+  made.cell = plan.width;
+  made.shellArea = plan.area;
+  made.predicted = std::max(made.predicted, heldBytes(surface) + wholeBytes(crossings));
+  made.depth = depthsOf(made, surface, tree, r, context, threads);
+  return refined(std::move(made), surface, tree, options, finerCells(surface, options, context), context,
+                 threads, watch);
 }
 
 }  // namespace thicken

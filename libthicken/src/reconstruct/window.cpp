@@ -10,6 +10,7 @@
 #include "mesh/half_edges.h"
 #include "mesh/sort_unique.h"
 #include "mesh/topology.h"
+#include "mesh/union_find.h"
 #include "reconstruct/carrier.h"
 #include "reconstruct/drop_unused.h"
 
@@ -17,11 +18,8 @@ namespace thicken {
 
 namespace {
 
-// Cells that a contour's triangles may go beyond what it is to replace, where that is enough and where it is
-// not, and that they may go beyond its vertices.
-constexpr double kMargin = 20, kWideMargin = 100, kBeyondContour = 4;
-// Holes of more pieces are closed in one window.
-constexpr std::size_t kMostPieces = 512;
+// Cells that a contour's triangles may go beyond what it is to replace, and beyond its vertices.
+constexpr double kMargin = 20, kBeyondContour = 4;
 
 Bounds grown(Bounds b, double by) {
   b.low -= Vec3::Constant(by);
@@ -29,34 +27,43 @@ Bounds grown(Bounds b, double by) {
   return b;
 }
 
-// Boxes that hold whole pieces of what is open, each grown by the margin in cells of `width` mm and clear of
-// the others.
-std::vector<Bounds> zonesOf(const Holes& holes, double width, std::span<const Bounds> tooNarrow,
-                            int threads) {
+// Joins boxes until none overlaps another, in an order that depends on the boxes alone.
+void joinOverlapping(std::vector<Bounds>& boxes) {
+  for (std::size_t before = boxes.size() + 1; boxes.size() < before;) {
+    before = boxes.size();
+    std::sort(boxes.begin(), boxes.end(), [](const Bounds& a, const Bounds& b) {
+      return std::lexicographical_compare(a.low.begin(), a.low.end(), b.low.begin(), b.low.end());
+    });
+    UnionFind same(boxes.size());
+    for (std::uint32_t i = 0; i < boxes.size(); ++i)
+      for (std::uint32_t j = i + 1; j < boxes.size() && boxes[j].low.x() <= boxes[i].high.x(); ++j)
+        if (boxes[i].overlaps(boxes[j])) same.join(i, j);
+    std::vector<Bounds> joined(boxes.size());
+    for (std::uint32_t i = 0; i < boxes.size(); ++i) joined[same.root(i)].add(boxes[i]);
+    std::erase_if(joined, [](const Bounds& b) { return b.low.x() > b.high.x(); });
+    boxes = std::move(joined);
+  }
+}
+
+// Boxes that hold whole pieces of what is open and what they are copies of, between which the material is,
+// each grown by the margin in cells of `width` mm and clear of the others.
+std::vector<Bounds> zonesOf(const Holes& holes, double width, const TooNarrow& narrow, int threads) {
   const TriangleMesh& mesh = holes.carried.mesh;
   std::vector<Triangle> open;
   for (TriangleId t = 0; t < holes.keep.size(); ++t)
     if (!holes.keep[t]) open.push_back(mesh.triangles[t]);
   if (open.empty()) return {};
   const Components pieces = componentsOf(mesh.positions.size(), open, threads);
-  const bool asOne = pieces.count > kMostPieces;
-  std::vector<Bounds> zones(asOne ? 1 : pieces.count);
+  std::vector<Bounds> zones(pieces.count);
   for (std::size_t t = 0; t < open.size(); ++t)
-    for (const VertexId v : open[t]) zones[asOne ? 0 : pieces.ofTriangle[t]].add(mesh.positions[v]);
-  for (Bounds& zone : zones) {
-    zone = grown(zone, (overlapsAny(tooNarrow, zone) ? kWideMargin : kMargin) * width);
-  }
-  for (std::size_t i = 0; i < zones.size();) {
-    const auto other = std::find_if(zones.begin() + static_cast<std::ptrdiff_t>(i) + 1, zones.end(),
-                                    [&](const Bounds& zone) { return zone.overlaps(zones[i]); });
-    if (other == zones.end()) {
-      ++i;
-      continue;
+    for (const VertexId v : open[t]) {
+      Bounds& zone = zones[pieces.ofTriangle[t]];
+      zone.add(mesh.positions[v]);
+      if (const VertexId base = holes.carried.base[v]; base != kNone) zone.add(mesh.positions[base]);
     }
-    zones[i].add(*other);
-    zones.erase(other);
-    i = 0;
-  }
+  for (Bounds& zone : zones)
+    zone = grown(zone, (overlapsAny(narrow.zones, zone) ? narrow.times : 1) * kMargin * width);
+  joinOverlapping(zones);
   return zones;
 }
 
@@ -81,7 +88,6 @@ class WindowMaker {
     const Bounds reached = grown(zone, reach_);
     for (const TriangleId t : boxes_.near(reached.low, reached.high)) add(t, window);
     closeFans(window);
-    std::sort(window.source.begin(), window.source.end());
     fill(window);
     for (const TriangleId t : window.source) in_[t] = 0;
     for (const VertexId v : window.vertex) number_[v] = kNone;
@@ -91,40 +97,75 @@ class WindowMaker {
  private:
   // Other zones' holes are not to be closed here.
   void add(TriangleId t, Window& window) {
-    if (t < surface_.triangles.size() || in_[t]) return;
+    if (in_[t]) return;
     if (!holes_.keep[t] && !window.zone.contains(mesh_.positions[mesh_.triangles[t][0]])) return;
     in_[t] = 1;
     window.source.push_back(t);
   }
 
-  void listVertices(Window& window) {
-    for (const VertexId v : window.vertex) number_[v] = kNone;
-    window.vertex.resize(surface_.positions.size());
-    std::iota(window.vertex.begin(), window.vertex.end(), VertexId{0});
-    for (const TriangleId t : window.source)
-      for (const VertexId v : mesh_.triangles[t])
-        if (v >= surface_.positions.size()) window.vertex.push_back(v);
-    sortUnique(window.vertex);
-    for (VertexId i = 0; i < window.vertex.size(); ++i) number_[window.vertex[i]] = i;
-  }
+  [[nodiscard]] bool isOfSurface(VertexId v) const { return v < surface_.positions.size(); }
 
   [[nodiscard]] Triangle renumbered(const Triangle& t) const {
     return {number_[t[0]], number_[t[1]], number_[t[2]]};
   }
 
-  // At no vertex may the edge of the window leave parts that hang together by the vertex alone.
-  void closeFans(Window& window) {
-    for (std::size_t before = 0; before != window.source.size();) {
-      before = window.source.size();
-      listVertices(window);
-      TriangleMesh kept;
-      kept.positions.resize(window.vertex.size());
-      kept.triangles = surface_.triangles;
-      for (const TriangleId t : window.source)
-        if (holes_.keep[t]) kept.triangles.push_back(renumbered(mesh_.triangles[t]));
-      for (const VertexId v : pinchedVertices(kept, {}))
-        for (const TriangleId t : around_.of(window.vertex[v])) add(t, window);
+  [[nodiscard]] bool isKeptWithin(TriangleId t) const { return in_[t] && holes_.keep[t]; }
+
+  // Whether a triangle that is kept in the window has the edge from `a` to `b`, which are around `a`.
+  [[nodiscard]] bool hasEdge(VertexId a, VertexId b) const {
+    const auto around = around_.of(a);
+    return std::any_of(around.begin(), around.end(), [&](TriangleId t) {
+      const Triangle& c = mesh_.triangles[t];
+      return isKeptWithin(t) &&
+             ((c[0] == a && c[1] == b) || (c[1] == a && c[2] == b) || (c[2] == a && c[0] == b));
+    });
+  }
+
+  // Whether what is kept in the window has more than one fan at a vertex.
+  [[nodiscard]] bool isPinched(VertexId v) const {
+    int fans = 0;
+    for (const TriangleId t : around_.of(v)) {
+      if (!isKeptWithin(t)) continue;
+      const Triangle& c = mesh_.triangles[t];
+      const VertexId next = c[0] == v ? c[1] : c[1] == v ? c[2] : c[0];
+      fans += hasEdge(next, v) ? 0 : 1;
     }
+    return fans > 1;
+  }
+
+  [[nodiscard]] bool lacksSurface(VertexId v) const {
+    const auto around = around_.of(v);
+    return isOfSurface(v) && std::none_of(around.begin(), around.end(), [&](TriangleId t) {
+             return t < surface_.triangles.size() && in_[t];
+           });
+  }
+
+  // No vertex of S without triangles of S, and at no vertex may the edge of the window leave parts that hang
+  // together by the vertex alone: all triangles around such vertices are added, until there are none.
+  void closeFans(Window& window) {
+    std::vector<VertexId> open;
+    std::size_t listed = 0;
+    const auto listNew = [&] {
+      for (; listed < window.source.size(); ++listed)
+        for (const VertexId v : mesh_.triangles[window.source[listed]]) open.push_back(v);
+    };
+    for (listNew(); !open.empty(); listNew()) {
+      sortUnique(open);
+      for (const VertexId v : std::exchange(open, {}))
+        if (lacksSurface(v) || isPinched(v))
+          for (const TriangleId t : around_.of(v)) add(t, window);
+    }
+    std::sort(window.source.begin(), window.source.end());
+    for (const TriangleId t : window.source)
+      for (const VertexId v : mesh_.triangles[t]) window.vertex.push_back(v);
+    sortUnique(window.vertex);
+    for (VertexId i = 0; i < window.vertex.size(); ++i) number_[window.vertex[i]] = i;
+  }
+
+  // A vertex of S that is not in the window is no base there.
+  [[nodiscard]] VertexId baseOf(VertexId v) const {
+    const VertexId base = holes_.carried.base[v];
+    return base == kNone ? kNone : number_[base];
   }
 
   void fill(Window& window) const {
@@ -132,20 +173,21 @@ class WindowMaker {
     const SweepResult& whole = holes_.carried;
     for (const VertexId v : window.vertex) {
       part.mesh.positions.push_back(mesh_.positions[v]);
-      part.base.push_back(whole.base[v]);
+      part.base.push_back(baseOf(v));
       part.distance.push_back(whole.distance[v]);
-      part.up.push_back(whole.up[v]);
+      part.up.push_back(whole.up.empty() ? Vec3(Vec3::Zero()) : whole.up[v]);
+      if (isOfSurface(v)) window.surface.positions.push_back(mesh_.positions[v]);
     }
-    const auto put = [&](TriangleId t) {
-      part.mesh.triangles.push_back(renumbered(mesh_.triangles[t]));
+    for (const TriangleId t : window.source) {
+      const Triangle corners = renumbered(mesh_.triangles[t]);
+      part.mesh.triangles.push_back(corners);
       part.region.push_back(whole.region[t]);
       window.part.keep.push_back(holes_.keep[t]);
       window.part.openable.push_back(holes_.openable[t]);
       window.part.left.push_back(holes_.left[t]);
       if (!holes_.keep[t]) window.area += areaOf(mesh_.positions, mesh_.triangles[t]);
-    };
-    for (TriangleId t = 0; t < surface_.triangles.size(); ++t) put(t);
-    for (const TriangleId t : window.source) put(t);
+      if (t < surface_.triangles.size()) window.surface.triangles.push_back(corners);
+    }
     fixEdge(window);
   }
 
@@ -218,11 +260,13 @@ Triangle inBoundary(const Window& window, const Reconstruction& made, const Tria
 }
 
 // Per source triangle of a window, whether what was made there still has it.
-std::vector<std::uint8_t> stillThere(const TriangleMesh& surface, const TriangleMesh& boundary,
-                                     const Window& window, const Reconstruction& made) {
+std::vector<std::uint8_t> stillThere(const TriangleMesh& boundary, const Window& window,
+                                     const Reconstruction& made) {
   const Sources sources(boundary, window);
+  const std::size_t ofSurface = window.surface.triangles.size();
   std::vector<std::uint8_t> is(window.source.size(), 0);
-  for (std::size_t t = surface.triangles.size(); t < made.mesh.triangles.size(); ++t)
+  std::fill_n(is.begin(), ofSurface, std::uint8_t{1});
+  for (std::size_t t = ofSurface; t < made.mesh.triangles.size(); ++t)
     if (const TriangleId s = sources.find(inBoundary(window, made, made.mesh.triangles[t])); s != kNone)
       is[std::lower_bound(window.source.begin(), window.source.end(), s) - window.source.begin()] = 1;
   return is;
@@ -236,6 +280,7 @@ class Joiner {
     out_.mesh.positions = whole.mesh.positions;
     out_.base = whole.base;
     up_ = whole.up;
+    up_.resize(whole.mesh.positions.size(), Vec3::Zero());
     origin_.resize(whole.mesh.positions.size());
     std::iota(origin_.begin(), origin_.end(), VertexId{0});
   }
@@ -250,7 +295,7 @@ class Joiner {
   void add(const Window& window, const Reconstruction& made) {
     const std::vector<VertexId> to = place(window, made);
     const Sources sources(holes_.carried.mesh, window);
-    for (std::size_t t = surface_.triangles.size(); t < made.region.size(); ++t) {
+    for (std::size_t t = window.surface.triangles.size(); t < made.region.size(); ++t) {
       const Triangle& corners = made.mesh.triangles[t];
       if (sources.find(inBoundary(window, made, corners)) == kNone)
         put({to[corners[0]], to[corners[1]], to[corners[2]]}, made.region[t], made.openable[t],
@@ -323,8 +368,8 @@ class Joiner {
 }  // namespace
 
 std::vector<Window> windowsOf(const TriangleMesh& surface, const Holes& holes, double r, double width,
-                              int threads, std::span<const Bounds> tooNarrow) {
-  const std::vector<Bounds> zones = zonesOf(holes, width, tooNarrow, threads);
+                              int threads, const TooNarrow& narrow) {
+  const std::vector<Bounds> zones = zonesOf(holes, width, narrow, threads);
   std::vector<Window> windows;
   if (zones.empty()) return windows;
   // What is near a triangle of S whose copy, or whose wall, is near the zone.
@@ -343,18 +388,20 @@ bool staysWithin(const Window& window, const Reconstruction& made) {
   return true;
 }
 
-std::optional<Reconstruction> withWindows(const TriangleMesh& surface, const Holes& holes,
-                                          std::span<const Window> windows,
-                                          std::span<const std::optional<Reconstruction>> made) {
+Reconstruction withWindows(const TriangleMesh& surface, const Holes& holes, std::span<const Window> windows,
+                           std::span<std::optional<Reconstruction>> made) {
   std::vector<std::uint8_t> gone(holes.keep.size(), 0);
   for (std::size_t i = 0; i < windows.size(); ++i) {
     if (!made[i]) continue;
-    const auto is = stillThere(surface, holes.carried.mesh, windows[i], *made[i]);
-    for (std::size_t k = 0; k < is.size(); ++k) {
-      if (is[k]) continue;
-      // A long triangle may reach from one zone to another.
-      if (std::exchange(gone[windows[i].source[k]], std::uint8_t{1})) return std::nullopt;
-    }
+    const auto is = stillThere(holes.carried.mesh, windows[i], *made[i]);
+    std::vector<TriangleId> replaced;
+    for (std::size_t k = 0; k < is.size(); ++k)
+      if (!is[k]) replaced.push_back(windows[i].source[k]);
+    // A long triangle may reach from one zone to another.
+    if (std::any_of(replaced.begin(), replaced.end(), [&](TriangleId t) { return gone[t] != 0; }))
+      made[i].reset();
+    else
+      for (const TriangleId t : replaced) gone[t] = 1;
   }
   Joiner joiner(surface, holes);
   joiner.addBoundary(gone);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Holes of a boundary are closed in windows around them: S, and what of the boundary is so near that it
-// matters to the field there. So an attempt costs what the hole costs, not what the boundary does, and a hole
+// Holes of a boundary are closed in windows around them, each with what of S and of the boundary is so near
+// that it matters to the field there. So an attempt costs what the hole costs, however large S is, and a hole
 // that cannot be closed is no obstacle to the others.
 #pragma once
 
@@ -24,29 +24,34 @@ struct Holes {
 };
 
 struct Window {
-  Holes part;   ///< S's vertices and triangles first
-  Bounds zone;  ///< nothing beyond is changed
+  TriangleMesh surface;  ///< the part of S
+  Holes part;            ///< its vertices and triangles first
+  Bounds zone;           ///< nothing beyond is changed
   Cut cut;
   double area = 0;                  ///< of what is open, mm²
-  std::vector<TriangleId> source;   ///< of the boundary's triangles, those in the window beyond S; ascending
-  std::vector<VertexId> vertex;     ///< per vertex of the window: the boundary's
+  std::vector<TriangleId> source;   ///< per triangle of the window: the boundary's; ascending
+  std::vector<VertexId> vertex;     ///< per vertex of the window: the boundary's; ascending
   std::vector<std::uint8_t> fixed;  ///< per vertex of the window: at its edge
 };
 
+/// Zones that contours left, and how many times as far as usual windows are to reach there.
+struct TooNarrow {
+  std::span<const Bounds> zones;
+  double times = 1;
+};
+
 /// Windows whose zones are disjoint, for contours with cells of `width` mm of the field with thickness `r`.
-/// Those that reach into `tooNarrow` are made several times wider than usual.
 [[nodiscard]] std::vector<Window> windowsOf(const TriangleMesh& surface, const Holes& holes, double r,
-                                            double width, int threads,
-                                            std::span<const Bounds> tooNarrow = {});
+                                            double width, int threads, const TooNarrow& narrow = {});
 
 /// Whether all vertices that are new in a window, or moved, lie in its zone.
 [[nodiscard]] bool staysWithin(const Window& window, const Reconstruction& made);
 
 /// The boundary with what was made in some of its windows; holes of the others are left as `holes` has them,
-/// with all triangles. `origin` of the result is in terms of the boundary's vertices. Nothing where two of
-/// them would replace the same triangle.
-[[nodiscard]] std::optional<Reconstruction> withWindows(const TriangleMesh& surface, const Holes& holes,
-                                                        std::span<const Window> windows,
-                                                        std::span<const std::optional<Reconstruction>> made);
+/// with all triangles. `origin` of the result is in terms of the boundary's vertices. Where two of them would
+/// replace the same triangle, the later one is as if nothing had been made in it.
+[[nodiscard]] Reconstruction withWindows(const TriangleMesh& surface, const Holes& holes,
+                                         std::span<const Window> windows,
+                                         std::span<std::optional<Reconstruction>> made);
 
 }  // namespace thicken

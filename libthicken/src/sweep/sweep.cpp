@@ -40,7 +40,7 @@ constexpr int kMostGrowths = 4;
 // Copies that are farther off the planes around them, in r, get a corner of their own: half of what the shell
 // may be off by.
 constexpr double kCornerOff = 0.005;
-constexpr int kMostCornerRetries = 1;
+constexpr int kMostCornerRetries = 4;
 
 [[noreturn]] void throwNoSolidAt(const SweptMesh& mesh, const std::vector<VertexId>& vertices) {
   const VertexId v = vertices.front();

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "reconstruct/in_windows.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "field/uniform_grid.h"
+#include "measure/stopwatch.h"
+#include "parallel_for.h"
+#include "thicken/error.h"
+
+namespace thicken {
+
+namespace {
+
+// How many times as far as usual windows reach that are too narrow. In the end, where they are not parts of
+// an attempt, one is all: no grid has so many cells in a row.
+constexpr double kWider = 5, kAll = UniformGrid::kMostCells;
+
+struct Outcome {
+  std::optional<Reconstruction> made;
+  bool isKnown = false;
+  bool isTooNarrow = false;  // what would be made does not stay within the window
+};
+
+class Closer {
+ public:
+  Closer(const TriangleMesh& surface, const Holes& holes, const WindowTask& task, const Options& options,
+         const RunContext& context, int threads, Stopwatch& watch)
+      : surface_(surface),
+        holes_(holes),
+        task_(task),
+        options_(options),
+        context_(context),
+        threads_(threads),
+        watch_(watch) {}
+
+  InWindows run() {
+    windows_ = windowsOf(surface_, holes_, options_.thickness, task_.width, threads_);
+    outcomes_.resize(windows_.size());
+    closeEach();
+    for (const double times : {kWider, kAll}) {
+      const std::vector<Bounds> narrow = zonesWhere([](const Outcome& o) { return o.isTooNarrow; });
+      const std::vector<Bounds> stuck = zonesWhere([](const Outcome& o) { return !o.made; });
+      if (narrow.empty() || (task_.meetingIn && (times == kAll || narrow.size() < stuck.size()))) break;
+      widen({narrow, times});
+      closeEach();
+    }
+    InWindows in;
+    in.stuck = zonesWhere([](const Outcome& o) { return !o.made; });
+    in.windows = std::move(windows_);
+    for (Outcome& outcome : outcomes_) in.made.push_back(std::move(outcome.made));
+    return in;
+  }
+
+ private:
+  template <class Is>
+  [[nodiscard]] std::vector<Bounds> zonesWhere(Is is) const {
+    std::vector<Bounds> zones;
+    for (std::size_t i = 0; i < windows_.size(); ++i)
+      if (is(outcomes_[i])) zones.push_back(windows_[i].zone);
+    return zones;
+  }
+
+  void closeEach() {
+    if (task_.meetingIn) {
+      for (std::size_t i = 0; i < windows_.size(); ++i) {
+        if (!outcomes_[i].isKnown) outcomes_[i] = close(windows_[i], threads_, watch_);
+        if (!outcomes_[i].made && !outcomes_[i].isTooNarrow && task_.stopsAtFirst) return;
+      }
+      return;
+    }
+    // A working set is for one contour at a time where memory is limited.
+    const bool beside = windows_.size() > 1 && context_.memoryLimit() == 0;
+    parallelFor(windows_.size(), beside ? threads_ : 1, context_, 1, [&](std::size_t i) {
+      Stopwatch own;
+      if (!outcomes_[i].isKnown) outcomes_[i] = close(windows_[i], beside ? 1 : threads_, own);
+    });
+    watch_.lap("regions");
+  }
+
+  // Wider windows where these are too narrow. What was made in the others stays.
+  void widen(const TooNarrow& narrow) {
+    std::vector<Window> wide = windowsOf(surface_, holes_, options_.thickness, task_.width, threads_, narrow);
+    std::vector<Outcome> outcomes(wide.size());
+    for (std::size_t i = 0; i < wide.size(); ++i)
+      for (std::size_t k = 0; k < windows_.size(); ++k)
+        if (windows_[k].zone.low == wide[i].zone.low && windows_[k].zone.high == wide[i].zone.high)
+          outcomes[i] = std::move(outcomes_[k]);
+    windows_ = std::move(wide);
+    outcomes_ = std::move(outcomes);
+  }
+
+  [[nodiscard]] Outcome close(const Window& window, int threads, Stopwatch& watch) const {
+    ContourTask task;
+    task.width = task_.width;
+    task.mayKeepShell = task_.mayKeepShell;
+    task.refined = task_.refined;
+    task.area = window.area;
+    if (!(task.area > 0) || (!task_.anyArea && !fewCells(task.width, task.area)))
+      return {std::nullopt, true, false};
+    task.allowance = task_.allowance;
+    if (task_.meetingIn) task.meeting = task_.meetingIn(window.zone);
+    task.crossings = mostCrossings(task.area, task.width);
+    task.working = workingSetFor(task.crossings, task_.held, context_);
+    task.keep = window.part.keep;
+    task.openable = window.part.openable;
+    task.left = window.part.left;
+    task.cut = window.cut;
+    try {
+      requireCells(window.surface, options_.thickness, task.width);
+      const ClosestPointTree tree(window.surface, threads);
+      auto made = complete(window.surface, tree, window.part.carried, std::move(task), options_, context_,
+                           threads, watch);
+      if (made && !staysWithin(window, *made)) return {std::nullopt, true, true};
+      return {std::move(made), true, false};
+    } catch (const LeavesWindow&) {
+      return {std::nullopt, true, true};
+    } catch (const Error& e) {
+      if (e.code() != ErrorCode::kNoSolid && e.code() != ErrorCode::kMemoryLimit) throw;
+      return {std::nullopt, true, false};
+    }
+  }
+
+  const TriangleMesh& surface_;
+  const Holes& holes_;
+  const WindowTask& task_;
+  const Options& options_;
+  const RunContext& context_;
+  int threads_;
+  Stopwatch& watch_;
+  std::vector<Window> windows_;
+  std::vector<Outcome> outcomes_;
+};
+
+}  // namespace
+
+InWindows completeInWindows(const TriangleMesh& surface, const Holes& holes, const WindowTask& task,
+                            const Options& options, const RunContext& context, int threads,
+                            Stopwatch& watch) {
+  return Closer(surface, holes, task, options, context, threads, watch).run();
+}
+
+bool fewCells(double width, double area) {
+  constexpr double kMostCells = 1e5;
+  return area <= kMostCells * width * width;
+}
+
+}  // namespace thicken

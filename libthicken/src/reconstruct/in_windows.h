@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Holes of a boundary are closed, each in its own window.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "mesh/bounds.h"
+#include "reconstruct/complete.h"
+#include "reconstruct/window.h"
+
+namespace thicken {
+
+/// How the holes of a boundary are to be closed.
+struct WindowTask {
+  double width = 0;                  ///< of the cells, mm
+  bool mayKeepShell = false;         ///< ContourTask
+  int refined = 0;                   ///< ContourTask
+  std::size_t* allowance = nullptr;  ///< ContourTask; null: each window has its own
+  /// Triangles that met in a zone with wider cells; empty: none did. Where it is given, windows are closed
+  /// one after the other.
+  std::function<std::size_t(const Bounds&)> meetingIn{};
+  bool stopsAtFirst = false;  ///< whether the first that cannot be closed ends that
+  std::size_t held = 0;       ///< bytes beside a window
+  bool anyArea = false;       ///< whether a window may have cells however many
+};
+
+/// What could be made in windows around holes.
+struct InWindows {
+  std::vector<Window> windows;
+  std::vector<std::optional<Reconstruction>> made;  ///< per window
+  std::vector<Bounds> stuck;                        ///< zones where nothing could be
+};
+
+/// Closes the holes in windows around them, wider ones where a contour leaves the usual ones. Nothing is made
+/// where the cells are too many for the grid's keys, for the memory limit or for the allowance, or where S
+/// touches their grid wherever it lies. The same for any number of threads. Throws kCancelled.
+[[nodiscard]] InWindows completeInWindows(const TriangleMesh& surface, const Holes& holes,
+                                          const WindowTask& task, const Options& options,
+                                          const RunContext& context, int threads, Stopwatch& watch);
+
+/// Whether cells of `width` mm are few enough for `area` mm² to be made again in them.
+[[nodiscard]] bool fewCells(double width, double area);
+
+}  // namespace thicken
