@@ -22,6 +22,8 @@ namespace thicken {
 
 namespace {
 
+constexpr std::size_t kEnough = 25000;  // triangles that represent more
+
 struct Sample {
   double error = -1;  // relative; negative: on the wall
   double weight = 0;  // mm²
@@ -78,7 +80,6 @@ ShellDistances shellDistances(const Solid& solid, const ClosestPointTree& tree, 
 void measureShell(Solid& solid, const TriangleMesh& surface, const ClosestPointTree& tree,
                   const ShellDistances& known, Measure what, const RunContext& context, int threads) {
   constexpr double kFull = 0.99;
-  constexpr std::size_t kEnough = 25000;  // triangles that represent a shell of more
   const double r = solid.report.thickness;
   const auto normal = faceNormals(surface.positions, surface.triangles, threads);
   const auto around = vertexTriangles(surface.positions.size(), surface.triangles, threads);
@@ -127,7 +128,7 @@ void measureShell(Solid& solid, const TriangleMesh& surface, const ClosestPointT
 // The shortest way straight through the material, from the middle of a triangle of S (on both sides, where S
 // is inside: of the shell) to one that faces the other way. Near any edge there are short ways across the
 // corner: they count where the edge is sharper than 60 degrees.
-void findThinnestThrough(Solid& solid, const RunContext& context, int threads) {
+void findThinnestThrough(Solid& solid, Measure what, const RunContext& context, int threads) {
   constexpr double kFacing = -0.5;
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   const auto& [positions, triangles] = solid.mesh;
@@ -137,12 +138,18 @@ void findThinnestThrough(Solid& solid, const RunContext& context, int threads) {
     return Vec3((positions[t[0]] + positions[t[1]] + positions[t[2]]) / 3);
   };
   const Region outside = solid.report.side == Side::kBoth ? Region::kShell : Region::kOriginal;
+  std::vector<TriangleId> from;
+  for (TriangleId t = 0; t < triangles.size(); ++t)
+    if (solid.region[t] == outside) from.push_back(t);
+  const std::size_t step = what == Measure::kRepresentative ? (from.size() + kEnough - 1) / kEnough : 1;
   std::vector<double> through(triangles.size(), kInfinite);
-  parallelFor(through.size(), threads, context, 256, [&, &triangles = triangles](std::size_t t) {
-    if (solid.region[t] != outside) return;
-    const RayTree::Hit hit = tree.first(middleOf(triangles[t]), -normal[t], triangles[t]);
-    if (hit.along < kInfinite && normal[t].dot(normal[hit.triangle]) < kFacing) through[t] = hit.along;
-  });
+  parallelFor((from.size() + step - 1) / std::max<std::size_t>(step, 1), threads, context, 256,
+              [&, &triangles = triangles](std::size_t i) {
+                const TriangleId t = from[step * i];
+                const RayTree::Hit hit = tree.first(middleOf(triangles[t]), -normal[t], triangles[t]);
+                if (hit.along < kInfinite && normal[t].dot(normal[hit.triangle]) < kFacing)
+                  through[t] = hit.along;
+              });
   const auto least = std::min_element(through.begin(), through.end());
   if (least == through.end() || !(*least < kInfinite)) return;
   solid.report.thinnestThrough = *least;
@@ -307,7 +314,7 @@ void measure(Solid& solid, const TriangleMesh& surface, const ClosestPointTree& 
   known = shellDistances(solid, tree, std::move(known), context, threads);
   measureShell(solid, surface, tree, known, what, context, threads);
   const std::vector<double> depth = depthsWithin(solid);
-  findThinnestThrough(solid, context, threads);
+  findThinnestThrough(solid, what, context, threads);
   findThinnest(solid, known.distance, areaOf(surface));
   report.thinShare = thinShare(surface, depth, report.thickness);
   report.surfaceDeviation = surfaceDeviation(solid, surface);

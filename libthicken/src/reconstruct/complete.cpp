@@ -27,6 +27,8 @@ constexpr int kMostTakenBack = 16, kMostGivenOver = 12;  // times
 // Cells of all attempts together, and attempts that are made in any case, before the whole sweep is taken.
 constexpr double kMostWork = 2.5e6;
 constexpr std::size_t kSomeAttempts = 4;
+// Of the triangles of an attempt, one in so many: what meets is little.
+constexpr std::size_t kLittle = 1000;
 // What a triangle that meets others costs while it is settled, in triangles that are just assembled.
 constexpr std::size_t kMeetingCost = 100;
 
@@ -135,17 +137,16 @@ class Completion {
       const std::vector<TriangleId> meeting = attempt_.run(shell_.keep(), watch_);
       if (meeting.empty()) return told(finished());
       pay(meeting.size());
+      // Where little meets, windows around that cost less than all of it once more.
+      std::optional<Closing> closing;
+      if (meeting.size() * kLittle < attempt_.assembly().mesh.triangles.size()) closing = madeFiner(meeting);
+      if (closing && closing->made) return closing->made;
       if (!tired_ && givesWay(meeting)) continue;
-      std::vector<TriangleId> stuck = meeting;
-      if (!spent_) {
-        Closing closing = closedFiner(surface_, swept_, task_, attempt_, meeting, givenUp_, options_,
-                                      context_, threads_, watch_);
-        if (closing.made) return told(closed(*std::move(closing.made)));
-        stuck = std::move(closing.stuck);
-      }
+      if (!closing) closing = madeFiner(meeting);
+      if (closing->made) return closing->made;
       if (!task_.mayKeepShell) return std::nullopt;
       if (!tired_ && takenBack_++ < kMostTakenBack &&
-          shell_.takeBack(attempt_.assembly(), stuck, reachOf(takenBack_ - 1, task_.width)))
+          shell_.takeBack(attempt_.assembly(), closing->stuck, reachOf(takenBack_ - 1, task_.width)))
         continue;
       // In the end the whole sweep, which leaves nothing to contour.
       if (!shell_.takeAllBack()) refuse(attempt_.assembly(), meeting);
@@ -153,6 +154,15 @@ class Completion {
   }
 
  private:
+  // What meets in finer cells, where the allowance is not spent.
+  Closing madeFiner(const std::vector<TriangleId>& meeting) {
+    if (spent_) return {std::nullopt, meeting};
+    Closing closing = closedFiner(surface_, swept_, task_, attempt_, meeting, givenUp_, options_, context_,
+                                  threads_, watch_);
+    if (closing.made) closing.made = told(closed(*std::move(closing.made)));
+    return closing;
+  }
+
   // An attempt in which so many triangles met, off the allowance.
   void pay(std::size_t meeting) {
     const std::size_t triangles = attempt_.assembly().mesh.triangles.size();

@@ -2,6 +2,8 @@
 #include "reconstruct/depths.h"
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 #include "mesh/normals.h"
 #include "mesh/topology.h"
@@ -11,17 +13,22 @@ namespace thicken {
 
 namespace {
 
+constexpr double kUnknown = std::numeric_limits<double>::infinity();
+
 // How deep the solid is below each vertex: to where the field ends along the normal. Where the rim is nearest
 // it is the wall that ends there, if the way down to it is about as long as the rim is far; a rim that is
 // nearer is another part's, beyond the end of the field.
+// `known`: the depth of vertices that need not be looked at; else infinite. Empty: none is known.
 std::vector<double> fieldDepths(const TriangleMesh& surface, const ClosestPointTree& tree, double r,
-                                const RunContext& context, int threads) {
+                                const RunContext& context, int threads, std::vector<double> known = {}) {
   const auto normal = vertexNormals(surface.positions, surface.triangles,
                                     faceNormals(surface.positions, surface.triangles, threads), threads);
-  std::vector<double> depth(surface.positions.size(), r);
+  std::vector<double> depth = std::move(known);
+  depth.resize(surface.positions.size(), kUnknown);
   constexpr int kSteps = 5;
   constexpr double kOwnRim = 0.9;
   parallelFor(depth.size(), threads, context, 128, [&](std::size_t v) {
+    if (depth[v] != kUnknown) return;
     double good = 0, bad = r;
     for (int i = 0; i < kSteps; ++i) {
       const double h = i == 0 ? 0.95 * r : (good + bad) / 2;
@@ -65,6 +72,26 @@ std::vector<double> depthsOf(const Reconstruction& made, const TriangleMesh& sur
     }
   }
   return depth;
+}
+
+std::vector<double> depthsOf(const Reconstruction& made, const SweepResult& swept,
+                             const TriangleMesh& surface, const ClosestPointTree& tree, double r,
+                             const RunContext& context, int threads) {
+  std::vector<std::uint8_t> isThere(swept.mesh.positions.size(), 0);
+  for (const VertexId v : made.origin)
+    if (v != kNone) isThere[v] = 1;
+  std::vector<double> depth(surface.positions.size(), kUnknown);
+  std::vector<std::uint8_t> isGone(depth.size(), 0);
+  for (auto v = static_cast<VertexId>(depth.size()); v < isThere.size(); ++v) {
+    if (swept.base[v] == kNone) continue;
+    if (isThere[v])
+      depth[swept.base[v]] = std::min(depth[swept.base[v]], swept.distance[v]);
+    else
+      isGone[swept.base[v]] = 1;
+  }
+  for (std::size_t v = 0; v < depth.size(); ++v)
+    if (isGone[v]) depth[v] = kUnknown;
+  return fieldDepths(surface, tree, r, context, threads, std::move(depth));
 }
 
 }  // namespace thicken

@@ -22,4 +22,10 @@ namespace thicken {
                                            const ClosestPointTree& tree, double r, const RunContext& context,
                                            int threads);
 
+/// The same of `made` in place of `swept`, whose vertices `made.origin` names: to the copies that are still
+/// there, all of which are the sweep's.
+[[nodiscard]] std::vector<double> depthsOf(const Reconstruction& made, const SweepResult& swept,
+                                           const TriangleMesh& surface, const ClosestPointTree& tree,
+                                           double r, const RunContext& context, int threads);
+
 }  // namespace thicken

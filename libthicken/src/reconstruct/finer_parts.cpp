@@ -118,6 +118,7 @@ class Refiner {
     std::optional<Reconstruction> finer =
         madeInWindows(surface_, holes, task, options_, context_, threads_, watch_);
     if (finer->finest == 0) return std::nullopt;
+    finer->origin.clear();
     finer->rounds += made.rounds;
     finer->cells += made.cells;
     finer->nodes += made.nodes;
@@ -145,7 +146,6 @@ Reconstruction madeInWindows(const TriangleMesh& surface, const Holes& holes, co
                              Stopwatch& watch) {
   InWindows in = completeInWindows(surface, holes, task, options, context, threads, watch);
   Reconstruction made = withWindows(surface, holes, in.windows, in.made);
-  made.origin.clear();
   dropMisplaced(made, surface.positions.size(), threads);
   return made;
 }

@@ -111,7 +111,8 @@ std::optional<Reconstruction> deepen(const TriangleMesh& surface, const ClosestP
   made.cell = plan.width;
   made.shellArea = plan.area;
   made.predicted = std::max(made.predicted, heldBytes(surface) + wholeBytes(crossings));
-  made.depth = depthsOf(made, surface, tree, r, context, threads);
+  made.depth = depthsOf(made, swept, surface, tree, r, context, threads);
+  made.origin.clear();
   return refined(std::move(made), surface, tree, options, finerCells(surface, options, context), context,
                  threads, watch);
 }

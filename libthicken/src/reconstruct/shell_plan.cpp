@@ -6,6 +6,7 @@
 #include <functional>
 #include <utility>
 
+#include "bvh/spatial_order.h"
 #include "measure/measure.h"
 #include "measure/offset_error.h"
 #include "measure/shell_samples.h"
@@ -33,6 +34,12 @@ double errorToLeave(const Options& options) {
   return options.tolerance ? *options.tolerance / 2 : kDrawn * options.thickness;
 }
 
+double longestEdge(const TriangleMesh& mesh, TriangleId t) {
+  const auto& [a, b, c] = mesh.triangles[t];
+  const Vec3 &p = mesh.positions[a], &q = mesh.positions[b], &r = mesh.positions[c];
+  return std::max({(q - p).norm(), (r - q).norm(), (p - r).norm()});
+}
+
 // How far each triangle of the sweep's shell is off, mm: the most at its middle and in the middles of its
 // corner pieces; 0 for others. An error that one corner has alone counts as far as it reaches.
 std::vector<double> shellErrors(const TriangleMesh& surface, const SweepResult& swept,
@@ -41,41 +48,68 @@ std::vector<double> shellErrors(const TriangleMesh& surface, const SweepResult& 
   const auto normal = faceNormals(surface.positions, surface.triangles, threads);
   const auto around = vertexTriangles(surface.positions.size(), surface.triangles, threads);
   const OffsetError error(surface, normal, around, options.thickness, joinOf(options));
+  const std::vector<Vec3>& p = swept.mesh.positions;
   // What is nearest to the rim is wall, which may lean (Remark 4).
-  const auto errorAt = [&](const Vec3& p) {
-    const ClosestPoint c = *tree.closest(p);
-    return c.onRim ? 0.0 : std::abs(error.at(p, c).mm);
+  const auto errorOf = [&](const Vec3& at, const ClosestPoint& c) {
+    return c.onRim ? 0.0 : std::abs(error.at(at, c).mm);
   };
-  std::vector<double> atVertex(swept.mesh.positions.size(), 0);
-  parallelFor(atVertex.size(), threads, context, 256, [&](std::size_t v) {
-    if (swept.distance[v] > 0) atVertex[v] = errorAt(swept.mesh.positions[v]);
-  });
+  std::vector<double> atVertex(p.size(), 0);
+  SpatialOrder(swept.nearest, tree, threads)
+      .query(
+          tree, 1, threads, context,
+          [&](std::uint32_t v, std::size_t, ClosestPointTree::Query& query) {
+            query.point = p[v];
+            query.hint = swept.nearest[v];
+            return swept.distance[v] > 0;
+          },
+          [&](std::uint32_t v, std::size_t, const Vec3& at, const ClosestPoint& c) {
+            atVertex[v] = errorOf(at, c);
+          });
   const double enough = errorToLeave(options);
+  // Within a triangle with the longest edge e the square of the distance to S is not less than the mean of
+  // its corners' by more than e²/3, so that its middle need not be looked at where that is a quarter of what
+  // is left.
+  const double small = 1.5 * enough * options.thickness;  // mm²
   std::vector<double> most(swept.mesh.triangles.size(), 0);
-  parallelFor(most.size(), threads, context, 256, [&](std::size_t i) {
-    if (swept.region[i] != Region::kShell) return;
-    const auto& [a, b, c] = swept.mesh.triangles[i];
-    const std::vector<Vec3>& p = swept.mesh.positions;
-    const auto sample = [&](std::size_t k) {
-      const auto& w = kShellSamples[k];
-      return errorAt(w[0] * p[a] + w[1] * p[b] + w[2] * p[c]);
-    };
-    most[i] = std::max(sample(0), std::max({atVertex[a], atVertex[b], atVertex[c]}) / 2);
-    for (std::size_t k = 1; k < kMostShellSamples && 2 * most[i] > enough && most[i] <= enough; ++k)
-      most[i] = std::max(most[i], sample(k));
-  });
+  std::vector<TriangleId> large, near;
+  for (TriangleId t = 0; t < most.size(); ++t) {
+    if (swept.region[t] != Region::kShell) continue;
+    const auto& [a, b, c] = swept.mesh.triangles[t];
+    const double mean = (atVertex[a] + atVertex[b] + atVertex[c]) / 3;
+    most[t] = std::max(mean, std::max({atVertex[a], atVertex[b], atVertex[c]}) / 2);
+    const double longest = longestEdge(swept.mesh, t);
+    if (longest * longest <= small) continue;
+    large.push_back(t);
+    near.push_back(swept.nearest[a]);
+  }
+  const auto sample = [&](TriangleId t, std::size_t k) {
+    const auto& [a, b, c] = swept.mesh.triangles[t];
+    const auto& w = kShellSamples[k];
+    return Vec3(w[0] * p[a] + w[1] * p[b] + w[2] * p[c]);
+  };
+  SpatialOrder(near, tree, threads)
+      .query(
+          tree, 1, threads, context,
+          [&](std::uint32_t i, std::size_t, ClosestPointTree::Query& query) {
+            query.point = sample(large[i], 0);
+            query.hint = near[i];
+            return true;
+          },
+          [&](std::uint32_t i, std::size_t, const Vec3& at, const ClosestPoint& c) {
+            const Triangle& t = swept.mesh.triangles[large[i]];
+            const double corner = std::max({atVertex[t[0]], atVertex[t[1]], atVertex[t[2]]});
+            double& own = most[large[i]] = std::max(errorOf(at, c), corner / 2);
+            for (std::size_t k = 1; k < kMostShellSamples && 2 * own > enough && own <= enough; ++k) {
+              const Vec3 more = sample(large[i], k);
+              own = std::max(own, errorOf(more, *tree.closest(more)));
+            }
+          });
   return most;
 }
 
 // Cells along an edge of a triangle beside a contour: its rim is divided by cells, and a fan of so many
 // slivers costs exact tests by their square.
 constexpr double kMostAlongEdge = 400;
-
-double longestEdge(const TriangleMesh& mesh, TriangleId t) {
-  const auto& [a, b, c] = mesh.triangles[t];
-  const Vec3 &p = mesh.positions[a], &q = mesh.positions[b], &r = mesh.positions[c];
-  return std::max({(q - p).norm(), (r - q).norm(), (p - r).norm()});
-}
 
 // All that is off by more than `error` mm, to be contoured.
 ShellPlan planFor(const TriangleMesh& surface, const SweepResult& swept, std::span<const double> errors,

@@ -7,6 +7,7 @@
 
 #include "exact/box_tree.h"
 #include "measure/measure.h"
+#include "measure/offset_error.h"
 #include "mesh/half_edges.h"
 #include "mesh/sort_unique.h"
 #include "mesh/topology.h"
@@ -19,7 +20,7 @@ namespace thicken {
 namespace {
 
 // Cells that a contour's triangles may go beyond what it is to replace, and beyond its vertices.
-constexpr double kMargin = 20, kBeyondContour = 4;
+constexpr double kMargin = 6, kBeyondContour = 2;
 
 Bounds grown(Bounds b, double by) {
   b.low -= Vec3::Constant(by);
@@ -372,8 +373,9 @@ std::vector<Window> windowsOf(const TriangleMesh& surface, const Holes& holes, d
   const std::vector<Bounds> zones = zonesOf(holes, width, narrow, threads);
   std::vector<Window> windows;
   if (zones.empty()) return windows;
-  // What is near a triangle of S whose copy, or whose wall, is near the zone.
-  WindowMaker maker(surface, holes, kBeyondContour * width, 2 * r + kMargin * width, threads);
+  // S where it is in reach of the field, and there its copies, which a mitre may put twice as far away.
+  const double reach = (1 + kMitreLimit) * r + kBeyondContour * width;
+  WindowMaker maker(surface, holes, kBeyondContour * width, reach, threads);
   for (const Bounds& zone : zones) windows.push_back(maker.around(zone));
   return windows;
 }

@@ -143,33 +143,29 @@ class CornerMaker {
   CornerMaker(const Fan& fan, std::span<const Vec3> faceNormal, const Vec3& single)
       : fan_(fan), normal_(faceNormal), single_(single), planes_(planesOf(fan, faceNormal)) {}
 
-  /// Corners that are off by less than the single copy, those first whose vertices are nearest to it.
-  [[nodiscard]] std::vector<Corner> candidates() const {
-    std::vector<std::pair<double, Corner>> found;
-    const auto& all = triangulations(planes_.size());
-    std::vector<std::optional<Vec3>> cache(kMostPlanes * kMostPlanes * kMostPlanes);
-    std::vector<std::uint8_t> known(cache.size(), 0);
-    const auto pointOf = [&](const Triple& t) -> const std::optional<Vec3>& {
-      const std::size_t key = (t[0] * kMostPlanes + t[1]) * kMostPlanes + t[2];
-      if (!std::exchange(known[key], std::uint8_t{1})) cache[key] = meetingPoint(planes_, t);
-      return cache[key];
-    };
-    for (const Triangulation& t : all) {
-      std::vector<Vec3> m;
+  /// Triangulations whose points there are, those first whose points are nearest to the single copy.
+  [[nodiscard]] std::vector<const Triangulation*> candidates() {
+    std::vector<std::pair<double, const Triangulation*>> found;
+    for (const Triangulation& t : triangulations(planes_.size())) {
       double way = 0;
-      for (const Triple& triple : t) {
-        const auto& p = pointOf(triple);
-        if (!p) break;
-        m.push_back(*p);
-        way += (*p - single_).squaredNorm();
-      }
-      if (m.size() == t.size()) found.emplace_back(way, cornerOf(t, m));
+      const bool is = std::all_of(t.begin(), t.end(), [&](const Triple& triple) {
+        const std::optional<Vec3>& p = pointOf(triple);
+        if (p) way += (*p - single_).squaredNorm();
+        return p.has_value();
+      });
+      if (is) found.emplace_back(way, &t);
     }
     std::stable_sort(found.begin(), found.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
-    std::vector<Corner> corners;
-    for (auto& [way, corner] : found) corners.push_back(std::move(corner));
-    return corners;
+    std::vector<const Triangulation*> sorted;
+    for (const auto& [way, t] : found) sorted.push_back(t);
+    return sorted;
+  }
+
+  [[nodiscard]] Corner corner(const Triangulation& t) {
+    std::vector<Vec3> m;
+    for (const Triple& triple : t) m.push_back(*pointOf(triple));
+    return cornerOf(t, m);
   }
 
   /// The farthest that any vertex of a corner is off from a plane that it is on, in r.
@@ -182,6 +178,12 @@ class CornerMaker {
   }
 
  private:
+  const std::optional<Vec3>& pointOf(const Triple& t) {
+    const std::size_t key = (t[0] * kMostPlanes + t[1]) * kMostPlanes + t[2];
+    if (!std::exchange(known_[key], std::uint8_t{1})) points_[key] = meetingPoint(planes_, t);
+    return points_[key];
+  }
+
   [[nodiscard]] Corner cornerOf(const Triangulation& t, const std::vector<Vec3>& m) const {
     // Vertices that are nearly at one place are one: an edge so short is a needle of a triangle.
     constexpr double kNear = 0.01;  // of r
@@ -259,6 +261,9 @@ class CornerMaker {
   std::span<const Vec3> normal_;
   Vec3 single_;
   std::vector<Plane> planes_;
+  static constexpr std::size_t kTriples = kMostPlanes * kMostPlanes * kMostPlanes;
+  std::array<std::optional<Vec3>, kTriples> points_;  // where three planes meet, as far as asked for
+  std::array<std::uint8_t, kTriples> known_{};
 };
 
 // The triangulation of a small plane polygon with the shortest chords whose triangles all face along
@@ -316,7 +321,7 @@ class CornerDivider {
     const std::optional<Fan> fan = copiedFan(v);
     if (!fan || !fan->isClosed()) return cut(v);
     const Vec3 single = mesh_.copies[firstCopy_ + v].offset / (sign_ * mesh_.thickness);
-    const CornerMaker maker(*fan, normal_, single);
+    CornerMaker maker(*fan, normal_, single);
     double before = 0;
     for (const TriangleId s : fan->triangle) before = std::max(before, std::abs(normal_[s].dot(single) - 1));
     Surroundings surroundings(*this, v, *fan);
@@ -324,7 +329,8 @@ class CornerDivider {
     if (!most) return;
     constexpr std::size_t kMostTried = 8;
     std::size_t tried = 0;
-    for (const Corner& corner : maker.candidates()) {
+    for (const Triangulation* candidate : maker.candidates()) {
+      const Corner corner = maker.corner(*candidate);
       if (maker.errorOf(corner) > before / 2) continue;
       const std::size_t copies = mesh_.copies.size();
       const Copy old = mesh_.copies[firstCopy_ + v];
@@ -332,6 +338,7 @@ class CornerDivider {
       const auto meet = surroundings.meetings(chains);
       if (meet && *meet <= *most) {
         take(v, *fan, chains);
+        single_.emplace(v, old);
         return;
       }
       takeBack(copies);
@@ -362,15 +369,39 @@ class CornerDivider {
     }
   }
 
-  // Puts the polygons of the divided corners into the mesh.
-  void finish() {
+  // Whether what was made at the vertex can be undone.
+  [[nodiscard]] bool canUndo(VertexId v) const {
+    const auto around = around_.of(v);
+    return std::all_of(around.begin(), around.end(),
+                       [&](TriangleId s) { return !chains_.contains(s) || isCopied(s); });
+  }
+
+  // Puts the copy that was there before in the place of those that a vertex got.
+  void undo(VertexId v) {
+    const auto own = static_cast<std::uint32_t>(firstCopy_ + v);
+    for (const TriangleId s : around_.of(v)) {
+      const auto it = chains_.find(s);
+      if (it == chains_.end()) continue;
+      Chain& chain = it->second[cornerOf(s, v)];
+      if (chain.size() == 1 && chain.front() == own) continue;
+      for (const std::uint32_t i : chain) mesh_.copies[i].dropped = i != own;
+      chain = {own};
+      changed_.insert(s);
+    }
+    if (const auto it = single_.find(v); it != single_.end()) mesh_.copies[own] = it->second;
+  }
+
+  // Puts the polygons of the divided corners into the mesh, and lists their copies.
+  void finish(std::vector<std::uint32_t>& copies) {
     std::vector<TriangleId> changed(changed_.begin(), changed_.end());
     std::sort(changed.begin(), changed.end());
+    std::vector<std::uint8_t> removed(mesh_.triangles.size(), 0);
     for (const TriangleId s : changed) {
       std::vector<VertexId> polygon;
       std::vector<Vec3> p;
       for (const auto& chain : chains_.at(s))
         for (const std::uint32_t i : chain) {
+          copies.push_back(i);
           polygon.push_back(mesh_.vertexOf(i));
           p.push_back(placeOf(i));
         }
@@ -383,6 +414,11 @@ class CornerDivider {
         else
           mesh_.add(t, Region::kShell, s);
       }
+      for (; put < copied_[s].size(); ++put) removed[copied_[s][put]] = 1;
+    }
+    if (std::find(removed.begin(), removed.end(), 1) != removed.end()) {
+      removed.resize(mesh_.triangles.size(), 0);
+      mesh_.remove(removed);
     }
     changed_.clear();
     listCopied();
@@ -635,6 +671,7 @@ class CornerDivider {
   std::vector<std::vector<TriangleId>> copied_;  // per triangle of S: what it is copied to
   std::unordered_map<TriangleId, Chains> chains_;
   std::unordered_set<TriangleId> changed_;
+  std::unordered_map<VertexId, Copy> single_;  // that a corner took the place of
 };
 
 }  // namespace
@@ -649,18 +686,19 @@ bool hasLongEdge(const SweptMesh& mesh, std::span<const TriangleId> around, Vert
 }
 
 // Around shorter edges, in r, the triangles that are off are small anyway.
-constexpr double kLong = 1;
+constexpr double kLong = 2;
 
 struct Corners::Impl {
   SweptMesh& mesh;
   std::span<const Vec3> normal;
   const VertexTriangles& around;
   std::vector<CornerDivider> shells;
-  std::vector<std::uint8_t> cut;  ///< per copy that is single: whether it was
+  std::vector<std::uint8_t> cut;       ///< per copy that is single: whether it was
+  std::vector<std::uint32_t> changed;  ///< copies
 };
 
 Corners::Corners(SweptMesh& mesh, std::span<const Vec3> faceNormal, const VertexTriangles& around)
-    : impl_(std::make_unique<Impl>(Impl{mesh, faceNormal, around, {}, {}})) {
+    : impl_(std::make_unique<Impl>(Impl{mesh, faceNormal, around, {}, {}, {}})) {
   for (std::size_t shell = 0; shell < mesh.shells; ++shell)
     impl_->shells.emplace_back(mesh, faceNormal, around, shell * mesh.surfaceVertices, shell == 0 ? -1 : 1);
   impl_->cut.assign(mesh.shells * mesh.surfaceVertices, 0);
@@ -685,14 +723,33 @@ void Corners::divide(double tolerance, std::span<const std::uint8_t> single) {
       divider.divide(v);
       impl_->cut[shell * mesh.surfaceVertices + v] = 1;
     }
-    divider.finish();
+    divider.finish(impl_->changed);
   }
 }
 
-bool Corners::cutShort(std::span<const double> depth) {
+bool Corners::undo(std::span<const VertexId> vertices) {
+  for (CornerDivider& divider : impl_->shells) {
+    divider.listCopied();
+    if (!std::all_of(vertices.begin(), vertices.end(), [&](VertexId v) { return divider.canUndo(v); }))
+      return false;
+  }
+  for (CornerDivider& divider : impl_->shells) {
+    divider.listCopied();
+    for (const VertexId v : vertices) divider.undo(v);
+    divider.finish(impl_->changed);
+  }
+  return true;
+}
+
+std::vector<std::uint32_t> Corners::takeChanged() {
+  sortUnique(impl_->changed);
+  std::erase_if(impl_->changed, [&](std::uint32_t i) { return impl_->mesh.copies[i].dropped; });
+  return std::exchange(impl_->changed, {});
+}
+
+void Corners::cutShort(std::span<const double> depth) {
   constexpr double kShort = 0.9;  // of the depth that was free
   SweptMesh& mesh = impl_->mesh;
-  const std::size_t before = mesh.copies.size();
   for (std::size_t shell = 0; shell < mesh.shells; ++shell) {
     CornerDivider& divider = impl_->shells[shell];
     divider.listCopied();
@@ -704,9 +761,8 @@ bool Corners::cutShort(std::span<const double> depth) {
         continue;
       divider.cut(v);
     }
-    divider.finish();
+    divider.finish(impl_->changed);
   }
-  return mesh.copies.size() > before;
 }
 
 }  // namespace thicken

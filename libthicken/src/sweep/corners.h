@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "mesh/topology.h"
 #include "sweep/swept_mesh.h"
@@ -28,9 +29,15 @@ class Corners {
   /// per vertex of S.
   void divide(double tolerance, std::span<const std::uint8_t> single);
 
-  /// Cuts the triangles around copies that were drawn back from `depth`, per copy. Returns whether there are
-  /// new copies, all at full depth.
-  bool cutShort(std::span<const double> depth);
+  /// Puts one copy, as it was before, in the place of all that vertices of S got. Returns whether the
+  /// triangles around all of them were still as they had been made; nothing has changed if not.
+  [[nodiscard]] bool undo(std::span<const VertexId> vertices);
+
+  /// Cuts the triangles around copies that were drawn back from `depth`, per copy.
+  void cutShort(std::span<const double> depth);
+
+  /// Takes the copies of triangles that changed since this was asked the last time, ascending.
+  [[nodiscard]] std::vector<std::uint32_t> takeChanged();
 
  private:
   struct Impl;

@@ -107,13 +107,13 @@ void setDepths(const std::span<Way> ways, const SweptMesh& mesh, const ClosestPo
 }  // namespace
 
 void setInitialDepths(SweptMesh& mesh, const ClosestPointTree& tree, const RunContext& context, int threads,
-                      std::size_t first) {
+                      std::span<const std::uint8_t> which) {
   const SpatialOrder order(trianglesAtCopies(mesh), tree, threads);
   order.forGroups(threads, context, [&](std::span<const std::uint32_t> copies) {
     std::array<Way, SpatialOrder::kTogether> ways;
     std::size_t count = 0;
     for (const std::uint32_t i : copies)
-      if (i >= first && !mesh.copies[i].dropped) ways[count++] = {&mesh.copies[i]};
+      if ((which.empty() || which[i]) && !mesh.copies[i].dropped) ways[count++] = {&mesh.copies[i]};
     setDepths(std::span(ways).first(count), mesh, tree);
   });
 }

@@ -3,6 +3,9 @@
 // First guess of the depth of each copy: as deep as the way there stays clear of S.
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include "sweep/swept_mesh.h"
 #include "thicken/closest_point.h"
 #include "thicken/run_context.h"
@@ -10,8 +13,9 @@
 namespace thicken {
 
 /// Sets the depth of every copy to the largest h for which the copy keeps most of its distance
-/// from S, and from sheets that face it all of it, at every depth up to h. Copies before `first` stay.
+/// from S, and from sheets that face it all of it, at every depth up to h. `which`: copies to set; empty:
+/// all.
 void setInitialDepths(SweptMesh& mesh, const ClosestPointTree& tree, const RunContext& context, int threads,
-                      std::size_t first = 0);
+                      std::span<const std::uint8_t> which = {});
 
 }  // namespace thicken

@@ -289,17 +289,7 @@ void ShellSurgery::apply(std::span<const Hole> holes, std::span<const Patch> pat
     for (const TriangleId t : hole.removed) removed[t] = 1;
     for (const std::uint32_t i : hole.dropped) mesh_.copies[i].dropped = true;
   }
-  std::size_t kept = 0;
-  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-    if (removed[t]) continue;
-    mesh_.triangles[kept] = mesh_.triangles[t];
-    mesh_.above[kept] = mesh_.above[t];
-    mesh_.region[kept++] = mesh_.region[t];
-  }
-  mesh_.triangles.resize(kept);
-  mesh_.region.resize(kept);
-  mesh_.above.resize(kept);
-  mesh_.fixed.resize(kept);
+  mesh_.remove(removed);
   for (const Patch& patch : patches) {
     for (const auto& [i, c] : patch.aimed) {
       mesh_.copies[i] = c;

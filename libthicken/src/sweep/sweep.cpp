@@ -140,19 +140,33 @@ struct Settled {
   std::vector<VertexId> hopeless;  // of S, that no depth is clear below; none: it is settled
 };
 
-// Draws back, drops what stays in the way, and lets the rest advance again. Only copies of vertices that
-// `single` marks are dropped: others may be in the way because of their corner.
+// Depths of the copies once their slope is limited.
+std::vector<double> limited(SweptMesh& mesh, const CopyGraph& graph, int threads) {
+  limitSlope(mesh, graph, {}, threads);
+  std::vector<double> depth;
+  for (const Copy& c : mesh.copies) depth.push_back(c.depth);
+  return depth;
+}
+
+// Draws back, drops what stays in the way, and lets the rest advance again to `free`, the depth that is free
+// below each copy, from its own. Only copies of vertices that `single` marks are dropped: others may be in
+// the way because of their corner.
 Settled settle(SweptMesh& mesh, const VertexTriangles& around, std::span<const std::uint8_t> single,
-               const RunContext& context, int threads) {
+               std::span<const double> free, const RunContext& context, int threads) {
   Settled settled;
-  std::vector<double> goal(mesh.copies.size());
+  std::vector<double> goal;
   std::vector<std::uint32_t> before;
   int repeats = 0;
   for (int refills = 0;; ++refills) {
     const CopyGraph graph = copyGraph(mesh, threads);
+    if (refills == 0) {
+      std::vector<double> now;
+      for (std::size_t i = 0; i < free.size(); ++i)
+        now.push_back(std::exchange(mesh.copies[i].depth, free[i]));
+      goal = limited(mesh, graph, threads);
+      for (std::size_t i = 0; i < free.size(); ++i) mesh.copies[i].depth = std::min(now[i], goal[i]);
+    }
     limitSlope(mesh, graph, {}, threads);
-    if (refills == 0)
-      for (std::size_t i = 0; i < goal.size(); ++i) goal[i] = mesh.copies[i].depth;
     parallelFor(mesh.copies.size(), threads, context, 4096, [&](std::size_t i) { mesh.place(i); });
     ConflictTester tester(mesh, context, threads);
     const RetreatResult result = retreat(mesh, graph, tester, context);
@@ -175,16 +189,28 @@ Settled settle(SweptMesh& mesh, const VertexTriangles& around, std::span<const s
   }
 }
 
-// Small triangles around copies that were drawn back let all others be as deep as they were to be (`depth`).
+// After corners changed: the depth that is free below copies that are new or stand beside new ones, which
+// begin there again. All others stay as deep as they are.
+void beginAgain(SweptMesh& mesh, Corners& corners, std::vector<double>& free, const ClosestPointTree& tree,
+                const RunContext& context, int threads) {
+  std::vector<std::uint8_t> changed(mesh.copies.size(), 0);
+  for (const std::uint32_t i : corners.takeChanged()) changed[i] = 1;
+  setInitialDepths(mesh, tree, context, threads, changed);
+  free.resize(mesh.copies.size(), 0);
+  for (std::size_t i = 0; i < changed.size(); ++i)
+    if (changed[i]) free[i] = mesh.copies[i].depth;
+}
+
+// Small triangles around copies that were drawn back let all others be as deep as they were to be (`free`).
 // Where that is not clear the sweep stays as it is.
-void cutShort(SweptMesh& mesh, Corners& corners, std::span<const double> depth, const VertexTriangles& around,
+void cutShort(SweptMesh& mesh, Corners& corners, std::vector<double>& free, const VertexTriangles& around,
               const ClosestPointTree& tree, Settled& settled, const RunContext& context, int threads) {
   SweptMesh before = mesh;
-  if (!corners.cutShort(depth)) return;
-  for (std::size_t i = 0; i < depth.size(); ++i) mesh.copies[i].depth = depth[i];
-  setInitialDepths(mesh, tree, context, threads, depth.size());
+  corners.cutShort(free);
+  if (mesh.copies.size() == before.copies.size()) return;
+  beginAgain(mesh, corners, free, tree, context, threads);
   const std::vector<std::uint8_t> single(mesh.surfaceVertices, 0);
-  Settled again = settle(mesh, around, single, context, threads);
+  Settled again = settle(mesh, around, single, free, context, threads);
   again.rounds += settled.rounds;
   if (again.hopeless.empty())
     settled = std::move(again);
@@ -192,14 +218,15 @@ void cutShort(SweptMesh& mesh, Corners& corners, std::span<const double> depth, 
     mesh = std::move(before);
 }
 
-// Marks vertices and those around them. Returns whether any was not.
-bool markAround(const TriangleMesh& surface, const VertexTriangles& around,
-                std::span<const VertexId> vertices, std::vector<std::uint8_t>& marked) {
-  bool any = false;
+// Marks vertices and those around them. Returns those that were not marked.
+std::vector<VertexId> markAround(const TriangleMesh& surface, const VertexTriangles& around,
+                                 std::span<const VertexId> vertices, std::vector<std::uint8_t>& marked) {
+  std::vector<VertexId> fresh;
   for (const VertexId v : vertices)
     for (const TriangleId t : around.of(v))
-      for (const VertexId u : surface.triangles[t]) any |= std::exchange(marked[u], std::uint8_t{1}) == 0;
-  return any;
+      for (const VertexId u : surface.triangles[t])
+        if (std::exchange(marked[u], std::uint8_t{1}) == 0) fresh.push_back(u);
+  return fresh;
 }
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
@@ -284,6 +311,32 @@ SweepResult finish(const SweptMesh& mesh, const ClosestPointTree& tree, Side sid
   return result;
 }
 
+// Makes corners, and settles the copies; those that must draw back until their copies are one are no corners,
+// and are undone. Returns whether it is settled.
+bool settleWithCorners(SweptMesh& mesh, const TriangleMesh& surface, std::span<const Vec3> normal,
+                       const VertexTriangles& around, const ClosestPointTree& tree,
+                       std::vector<std::uint8_t>& single, Polish polishing, Settled& settled,
+                       const RunContext& context, int threads) {
+  Corners corners(mesh, normal, around);
+  corners.divide(kCornerOff, single);
+  (void)corners.takeChanged();
+  setInitialDepths(mesh, tree, context, threads);
+  parallelFor(mesh.copies.size(), threads, context, 4096, [&](std::size_t i) { mesh.place(i); });
+  if (polishing == Polish::kYes)
+    polish(mesh, tree, OffsetError(surface, normal, around, mesh.thickness, Join::kMitre), context, threads);
+  std::vector<double> free;
+  for (const Copy& c : mesh.copies) free.push_back(c.depth);
+  for (int retries = 0;; ++retries) {
+    settled = settle(mesh, around, single, free, context, threads);
+    if (settled.hopeless.empty()) break;
+    const std::vector<VertexId> fresh = markAround(surface, around, settled.hopeless, single);
+    if (fresh.empty() || retries == kMostCornerRetries || !corners.undo(fresh)) return false;
+    beginAgain(mesh, corners, free, tree, context, threads);
+  }
+  if (polishing == Polish::kYes) cutShort(mesh, corners, free, around, tree, settled, context, threads);
+  return true;
+}
+
 }  // namespace
 
 SweepResult sweep(const TriangleMesh& surface, const ClosestPointTree& tree, double thickness, Side side,
@@ -298,29 +351,15 @@ SweepResult sweep(const TriangleMesh& surface, const ClosestPointTree& tree, dou
   const auto unserved = splitCopies(mesh, normal, around, thickness, copiesWithoutDirection(mesh));
   if (const auto stuck = drop(mesh, around, unserved); !stuck.empty())
     throwNoSolidAt(mesh, basesOf(mesh, stuck));
-  Settled settled;
-  int retries = 0;
   // Vertices that get no corner: all, where only the room below S is asked for.
   std::vector<std::uint8_t> single(surface.positions.size(), polishing == Polish::kNo ? 1 : 0);
+  Settled settled;
   for (const SweptMesh plain = mesh;; mesh = plain) {
-    Corners corners(mesh, normal, around);
-    corners.divide(kCornerOff, single);
-    if (mesh.copies.size() == plain.copies.size()) std::fill(single.begin(), single.end(), std::uint8_t{1});
-    setInitialDepths(mesh, tree, context, threads);
-    parallelFor(mesh.copies.size(), threads, context, 4096, [&](std::size_t i) { mesh.place(i); });
-    if (polishing == Polish::kYes)
-      polish(mesh, tree, OffsetError(surface, normal, around, thickness, Join::kMitre), context, threads);
-    std::vector<double> depth;
-    for (const Copy& c : mesh.copies) depth.push_back(c.depth);
-    settled = settle(mesh, around, single, context, threads);
-    if (settled.hopeless.empty()) {
-      if (polishing == Polish::kYes) cutShort(mesh, corners, depth, around, tree, settled, context, threads);
+    if (settleWithCorners(mesh, surface, normal, around, tree, single, polishing, settled, context, threads))
       break;
-    }
-    // A corner that must draw back until its copies are one is no corner; where that goes on, none is.
-    const bool isNew = markAround(surface, around, settled.hopeless, single);
-    if (!isNew) throwNoSolidAt(mesh, settled.hopeless);
-    if (++retries == kMostCornerRetries) std::fill(single.begin(), single.end(), std::uint8_t{1});
+    // Where corners cannot be undone, no vertex gets one.
+    if (std::find(single.begin(), single.end(), 0) == single.end()) throwNoSolidAt(mesh, settled.hopeless);
+    std::fill(single.begin(), single.end(), std::uint8_t{1});
   }
   SweepResult result = finish(mesh, tree, side, context, threads);
   result.rounds = settled.rounds;

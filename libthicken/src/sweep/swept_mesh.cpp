@@ -62,6 +62,21 @@ void SweptMesh::place(std::size_t copy) {
   positions[vertexOf(copy)] = roundToFloat(positions[c.base] + c.depth * c.offset);
 }
 
+void SweptMesh::remove(std::span<const std::uint8_t> removed) {
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < removed.size(); ++t) {
+    if (removed[t]) continue;
+    triangles[kept] = triangles[t];
+    above[kept] = above[t];
+    fixed[kept] = fixed[t];
+    region[kept++] = region[t];
+  }
+  triangles.resize(kept);
+  above.resize(kept);
+  fixed.resize(kept);
+  region.resize(kept);
+}
+
 SweptMesh sweepMesh(const TriangleMesh& surface, std::span<const SweepDirection> direction, const Rim& rim,
                     double thickness, Side side, int threads) {
   SweptMesh mesh;

@@ -54,6 +54,8 @@ struct SweptMesh {
     fixed.push_back(0);
     above.push_back(parallelTo);
   }
+  /// Removes the triangles that `removed` marks.
+  void remove(std::span<const std::uint8_t> removed);
   /// Moves a copy's vertex to where its depth puts it.
   void place(std::size_t copy);
 };
