@@ -18,6 +18,7 @@
 #include "parallel_for.h"
 #include "plan.h"
 #include "reconstruct/reconstruct.h"
+#include "reconstruct/shell_plan.h"
 #include "repair/folds.h"
 #include "repair/outcome.h"
 #include "sweep/sweep.h"
@@ -186,36 +187,91 @@ Fallback fallbackFor(const Error& e, std::string stage, const TriangleMesh& surf
   return fallback;
 }
 
-// The sweep with the contour of the field where it is short of the thickness; nothing where it is not, or
-// where no contour could be joined to it.
-std::optional<Solid> deepenedSolid(const TriangleMesh& oriented, const ClosestPointTree& tree,
-                                   const SweepResult& swept, const SurfaceFacts& input,
-                                   const Options& options, const RunContext& context, int threads,
-                                   Stopwatch& watch, std::vector<Fallback>& fallbacks) {
+// The solids that a method may come to, the better one first, and what was made of less than it was to be.
+struct Made {
+  std::optional<Solid> better, swept;
+  ShellDistances sweptShell;
+  std::vector<TriangleId> sweptOrder;  ///< audit()'s, for the sweep
+  std::vector<Fallback> fallbacks;
+};
+
+// Makes the better solid. Where there is none, the sweep stands for it, and `made` says so.
+template <class Make>
+void makeBetter(Made& made, const TriangleMesh& surface, Make make) {
   try {
-    std::optional<Reconstruction> made = deepen(oriented, tree, swept, options, context, threads, watch);
-    if (!made) return std::nullopt;
-    return reconstructedSolid(std::move(*made), Method::kAuto, input, options, threads);
+    made.better = make();
   } catch (const Error& e) {
     if (!leavesTheSweep(e)) throw;
-    fallbacks.push_back(fallbackFor(e, e.code() == ErrorCode::kMemoryLimit ? "memory" : "contour", oriented));
-    return std::nullopt;
+    made.fallbacks.push_back(
+        fallbackFor(e, e.code() == ErrorCode::kMemoryLimit ? "memory" : "contour", surface));
   }
 }
 
-// Proves the better of the two, or the sweep where the other fails. `order`: audit()'s, for the sweep.
-Solid provedOf(std::optional<Solid> better, std::optional<Solid> swept, const TriangleMesh& surface,
-               Side side, const RunContext& context, int threads, std::span<const TriangleId> order,
-               std::vector<Fallback>& fallbacks) {
-  if (better) try {
-      proveOrThrow(*better, surface, side, context, threads);
-      return std::move(*better);
+void takeSweep(Made& made, SweepResult swept, const SurfaceFacts& input, const Options& options,
+               int threads) {
+  made.sweptShell = {std::move(swept.distance), std::move(swept.nearest)};
+  made.sweptOrder = std::move(swept.order);
+  made.swept = sweptSolid(std::move(swept), input, options, threads);
+}
+
+// The sweep with the contour of the field where it is short of the thickness; the contour alone where the
+// sweep would be short of it nearly everywhere.
+Made madeByAuto(const TriangleMesh& oriented, const ClosestPointTree& tree, const SurfaceFacts& input,
+                const Options& options, const RunContext& context, int threads, Stopwatch& watch) {
+  Made made;
+  const double r = options.thickness;
+  std::optional<SweepResult> swept =
+      sweepUnlessShort(oriented, tree, r, mostShort(oriented, options, context), context, threads);
+  watch.lap("sweep");
+  if (!swept) {
+    makeBetter(made, oriented, [&] {
+      return reconstructedSolid(reconstruct(oriented, tree, options, context, threads, watch), Method::kAuto,
+                                input, options, threads);
+    });
+    if (made.better) return made;
+    swept = sweep(oriented, tree, r, Side::kNegative, context, threads);
+  }
+  makeBetter(made, oriented, [&]() -> std::optional<Solid> {
+    auto deepened = deepen(oriented, tree, *swept, options, context, threads, watch);
+    if (!deepened) return std::nullopt;
+    return reconstructedSolid(std::move(*deepened), Method::kAuto, input, options, threads);
+  });
+  takeSweep(made, *std::move(swept), input, options, threads);
+  return made;
+}
+
+Made madeBy(const TriangleMesh& oriented, const ClosestPointTree& tree, const SurfaceFacts& input,
+            const Options& options, const RunContext& context, int threads, Stopwatch& watch) {
+  const Side side = sweptSide(options.side);
+  if (options.method == Method::kAuto && side == Side::kNegative)
+    return madeByAuto(oriented, tree, input, options, context, threads, watch);
+  Made made;
+  if (options.method == Method::kReconstruct) {
+    made.better = reconstructedSolid(reconstruct(oriented, tree, options, context, threads, watch),
+                                     Method::kReconstruct, input, options, threads);
+    return made;
+  }
+  takeSweep(made, sweep(oriented, tree, options.thickness, side, context, threads), input, options, threads);
+  watch.lap("sweep");
+  return made;
+}
+
+// Proves the better of the two, or the sweep where the other fails.
+Solid provedOf(Made& made, const TriangleMesh& surface, const TriangleMesh& oriented,
+               const ClosestPointTree& tree, const SurfaceFacts& input, const Options& options,
+               const RunContext& context, int threads) {
+  if (made.better) try {
+      proveOrThrow(*made.better, surface, options.side, context, threads);
+      return *std::move(made.better);
     } catch (const Error& e) {
-      if (!swept || !leavesTheSweep(e)) throw;
-      fallbacks.push_back(fallbackFor(e, "audit", surface));
+      if (options.method != Method::kAuto || !leavesTheSweep(e)) throw;
+      made.fallbacks.push_back(fallbackFor(e, "audit", surface));
     }
-  proveOrThrow(*swept, surface, side, context, threads, order);
-  return std::move(*swept);
+  if (!made.swept)
+    takeSweep(made, sweep(oriented, tree, options.thickness, Side::kNegative, context, threads), input,
+              options, threads);
+  proveOrThrow(*made.swept, surface, options.side, context, threads, made.sweptOrder);
+  return *std::move(made.swept);
 }
 
 // A solid of a valid surface, proved and measured.
@@ -223,33 +279,16 @@ Solid provedSolid(const TriangleMesh& surface, const TriangleMesh& oriented, con
                   const SurfaceFacts& input, const Options& options, RunContext context, int threads,
                   Stopwatch& watch) {
   context.enter(Stage::kSweeping, kChecked, kSwept);
-  std::optional<Solid> better, swept;
-  ShellDistances sweptShell;
-  std::vector<TriangleId> sweptOrder;
-  std::vector<Fallback> fallbacks;
-  if (options.method == Method::kReconstruct) {
-    better = reconstructedSolid(reconstruct(oriented, tree, options, context, threads, watch),
-                                Method::kReconstruct, input, options, threads);
-  } else {
-    const Side side = sweptSide(options.side);
-    SweepResult made = sweep(oriented, tree, options.thickness, side, context, threads);
-    watch.lap("sweep");
-    if (options.method == Method::kAuto && side == Side::kNegative)
-      better = deepenedSolid(oriented, tree, made, input, options, context, threads, watch, fallbacks);
-    sweptShell = {std::move(made.distance), std::move(made.nearest)};
-    sweptOrder = std::move(made.order);
-    swept = sweptSolid(std::move(made), input, options, threads);
-  }
+  Made made = madeBy(oriented, tree, input, options, context, threads, watch);
 
   context.enter(Stage::kAuditing, kSwept, kAudited);
-  Solid solid = provedOf(std::move(better), std::move(swept), surface, options.side, context, threads,
-                         sweptOrder, fallbacks);
-  solid.report.fallbacks.insert(solid.report.fallbacks.end(), fallbacks.begin(), fallbacks.end());
+  Solid solid = provedOf(made, surface, oriented, tree, input, options, context, threads);
+  solid.report.fallbacks.insert(solid.report.fallbacks.end(), made.fallbacks.begin(), made.fallbacks.end());
   watch.lap("audit");
 
   context.enter(Stage::kMeasuring, kAudited, 1);
-  if (solid.report.method != Method::kSweep) sweptShell = {};  // another mesh than the sweep's
-  measure(solid, oriented, tree, std::move(sweptShell),
+  if (solid.report.method != Method::kSweep) made.sweptShell = {};  // another mesh than the sweep's
+  measure(solid, oriented, tree, std::move(made.sweptShell),
           options.tolerance ? Measure::kAll : Measure::kRepresentative, context, threads);
   watch.lap("measure");
   return solid;

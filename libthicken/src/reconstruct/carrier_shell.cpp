@@ -52,10 +52,12 @@ bool CarrierShell::giveOver(const Assembly& assembly, std::span<const TriangleId
 
 bool CarrierShell::takeBack(const Assembly& assembly, std::span<const TriangleId> meeting, double first) {
   constexpr double kFarthest = 64;  // cells
+  const bool onlyCarrier = std::all_of(meeting.begin(), meeting.end(),
+                                       [&](TriangleId t) { return t < assembly.carrierTriangles; });
   bool any = false;
   for (double reach = first; reach < kFarthest * width_ && !any; reach *= 2)
     for (const TriangleId t : meeting) {
-      if (t < assembly.carrierTriangles) continue;
+      if (t < assembly.carrierTriangles && !onlyCarrier) continue;
       for (const TriangleId s : near(assembly.mesh, t, reach)) {
         any |= keep_[s] == 0;
         keep_[s] = 1;

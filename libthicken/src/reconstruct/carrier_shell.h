@@ -31,8 +31,8 @@ class CarrierShell {
   /// cells.
   bool giveOver(const Assembly& assembly, std::span<const TriangleId> meeting, double reach);
 
-  /// Takes back the pieces near those of the contour's triangles that meet, within `first` mm or farther,
-  /// until there is something new. Returns whether there was.
+  /// Takes back the pieces near those of the contour's triangles that meet, or near all that do where none is
+  /// the contour's, within `first` mm or farther, until there is something new. Returns whether there was.
   bool takeBack(const Assembly& assembly, std::span<const TriangleId> meeting, double first);
 
   /// Takes back all of it. Returns whether there was anything.

@@ -15,7 +15,7 @@ namespace {
 
 // How many times as far as usual windows reach that are too narrow. In the end, where they are not parts of
 // an attempt, one is all: no grid has so many cells in a row.
-constexpr double kWider = 5, kAll = UniformGrid::kMostCells;
+constexpr double kWider = 16, kAll = UniformGrid::kMostCells;
 
 struct Outcome {
   std::optional<Reconstruction> made;
@@ -99,7 +99,8 @@ class Closer {
     task.area = window.area;
     if (!(task.area > 0) || (!task_.anyArea && !fewCells(task.width, task.area)))
       return {std::nullopt, true, false};
-    task.allowance = task_.allowance;
+    std::size_t own = task_.attempts * window.source.size();
+    task.allowance = task_.attempts > 0 ? &own : task_.allowance;
     if (task_.meetingIn) task.meeting = task_.meetingIn(window.zone);
     task.crossings = mostCrossings(task.area, task.width);
     task.working = workingSetFor(task.crossings, task_.held, context_);

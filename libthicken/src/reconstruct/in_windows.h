@@ -18,7 +18,8 @@ struct WindowTask {
   double width = 0;                  ///< of the cells, mm
   bool mayKeepShell = false;         ///< ContourTask
   int refined = 0;                   ///< ContourTask
-  std::size_t* allowance = nullptr;  ///< ContourTask; null: each window has its own
+  std::size_t* allowance = nullptr;  ///< ContourTask
+  std::size_t attempts = 0;          ///< that each window may cost, where there is none; 0: any
   /// Triangles that met in a zone with wider cells; empty: none did. Where it is given, windows are closed
   /// one after the other.
   std::function<std::size_t(const Bounds&)> meetingIn{};

@@ -157,6 +157,16 @@ double openArea(const SweepResult& swept, std::span<const std::uint8_t> keep) {
   return area;
 }
 
+double mostShort(const TriangleMesh& surface, const Options& options, const RunContext& context) {
+  const double area = areaOf(surface);
+  if (options.tolerance || options.cell || options.resolution) return 1;
+  const double width = cellWidth(surface, area, options);
+  const std::size_t crossings = mostCrossings(area, width);
+  // A crossing is a quad, and there are 1.5 of them for each square of a cell, in the mean of all directions.
+  const bool isLeaner = 3 * area / (width * width) < static_cast<double>(surface.triangles.size());
+  return isLeaner && hasRoomForField(surface, crossings, context) ? 0.5 : 1;
+}
+
 ShellPlan planShell(const TriangleMesh& surface, const SweepResult& swept, const ClosestPointTree& tree,
                     const Options& options, const RunContext& context, int threads) {
   const std::vector<double> errors = shellErrors(surface, swept, tree, options, context, threads);

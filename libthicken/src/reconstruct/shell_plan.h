@@ -27,6 +27,11 @@ struct ShellPlan {
                                   const ClosestPointTree& tree, const Options& options,
                                   const RunContext& context, int threads);
 
+/// The share of S's area that a sweep's shell may be short of for it to be of use beside a contour: half,
+/// where the contour of the whole shell has fewer triangles than S and there is room for it; else all.
+[[nodiscard]] double mostShort(const TriangleMesh& surface, const Options& options,
+                               const RunContext& context);
+
 /// Area of the shell of `swept` that `keep` leaves to the contour, mm².
 [[nodiscard]] double openArea(const SweepResult& swept, std::span<const std::uint8_t> keep);
 

@@ -89,11 +89,10 @@ std::vector<std::uint32_t> withNeighbours(const std::vector<std::uint32_t>& copi
 
 }  // namespace
 
-RetreatResult retreat(SweptMesh& mesh, const CopyGraph& graph, ConflictTester& tester,
+RetreatResult retreat(SweptMesh& mesh, const CopyGraph& graph, ConflictTester& tester, Conflicts conflicts,
                       const RunContext& context) {
   RetreatResult result;
   Drawback drawback(mesh, tester);
-  Conflicts conflicts = tester.all();
   while (!conflicts.empty()) {
     context.throwIfCancelled();
     auto moved = drawback.apply(conflicts, remainder(result.rounds));

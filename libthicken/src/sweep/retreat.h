@@ -26,10 +26,10 @@ struct RetreatResult {
 };
 
 /// Lowers depths round by round: draws back the copies of the triangles that meet, keeps the slope,
-/// tests what moved. Terminates, since a round lowers depths by a fixed factor and depths have a
-/// least value.
+/// tests what moved. `conflicts`: all that there are. Terminates, since a round lowers depths by a fixed
+/// factor and depths have a least value.
 [[nodiscard]] RetreatResult retreat(SweptMesh& mesh, const CopyGraph& graph, ConflictTester& tester,
-                                    const RunContext& context);
+                                    Conflicts conflicts, const RunContext& context);
 
 /// Raises depths towards `goal` (one per copy), a step at a time, and takes back what meets. The
 /// sweep must be free of conflicts and stays so.

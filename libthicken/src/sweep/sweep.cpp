@@ -13,6 +13,7 @@
 
 #include "bvh/distance_tree.h"
 #include "bvh/spatial_order.h"
+#include "measure/measure.h"
 #include "mesh/normals.h"
 #include "mesh/sort_unique.h"
 #include "mesh/topology.h"
@@ -138,6 +139,7 @@ struct Settled {
   std::size_t rounds = 0;
   std::vector<TriangleId> order;   // of the leaves of the tree that the last tests were made with
   std::vector<VertexId> hopeless;  // of S, that no depth is clear below; none: it is settled
+  bool isShort = false;            // of more of the thickness than may be; nothing has been settled then
 };
 
 // Depths of the copies once their slope is limited.
@@ -148,11 +150,34 @@ std::vector<double> limited(SweptMesh& mesh, const CopyGraph& graph, int threads
   return depth;
 }
 
+// About which share of S's area will have a shell that is short: where the free depth is less than all, and
+// around what is in the way of others, which the slope lets no copy nearby be much deeper than.
+double shareShort(SweptMesh& mesh, const CopyGraph& graph, const ConflictTester& tester,
+                  const Conflicts& conflicts, int threads) {
+  constexpr double kDrawnBack = 0.5, kFull = 0.99;
+  std::vector<double> depth;
+  for (const Copy& c : mesh.copies) depth.push_back(c.depth);
+  conflicts.forTriangles([&](TriangleId t) {
+    tester.forCopies(t, [&](std::uint32_t i) { mesh.copies[i].depth = std::min(depth[i], kDrawnBack); });
+  });
+  limitSlope(mesh, graph, {}, threads);
+  double all = 0, isShort = 0;
+  for (TriangleId t = 0; t < mesh.surfaceTriangles; ++t) {
+    const Triangle& corners = mesh.triangles[t];
+    const double area = areaOf(mesh.positions, corners);
+    all += area;
+    if (std::any_of(corners.begin(), corners.end(), [&](VertexId v) { return mesh.copies[v].depth < kFull; }))
+      isShort += area;
+  }
+  for (std::size_t i = 0; i < depth.size(); ++i) mesh.copies[i].depth = depth[i];
+  return all > 0 ? isShort / all : 0;
+}
+
 // Draws back, drops what stays in the way, and lets the rest advance again to `free`, the depth that is free
 // below each copy, from its own. Only copies of vertices that `single` marks are dropped: others may be in
 // the way because of their corner.
 Settled settle(SweptMesh& mesh, const VertexTriangles& around, std::span<const std::uint8_t> single,
-               std::span<const double> free, const RunContext& context, int threads) {
+               std::span<const double> free, double mostShort, const RunContext& context, int threads) {
   Settled settled;
   std::vector<double> goal;
   std::vector<std::uint32_t> before;
@@ -169,7 +194,13 @@ Settled settle(SweptMesh& mesh, const VertexTriangles& around, std::span<const s
     limitSlope(mesh, graph, {}, threads);
     parallelFor(mesh.copies.size(), threads, context, 4096, [&](std::size_t i) { mesh.place(i); });
     ConflictTester tester(mesh, context, threads);
-    const RetreatResult result = retreat(mesh, graph, tester, context);
+    Conflicts conflicts = tester.all();
+    if (mostShort < 1 && shareShort(mesh, graph, tester, conflicts, threads) > mostShort) {
+      settled.isShort = true;
+      return settled;
+    }
+    mostShort = 1;
+    const RetreatResult result = retreat(mesh, graph, tester, std::move(conflicts), context);
     settled.rounds += result.rounds;
     settled.hopeless = result.buried;
     if (!result.buried.empty()) return settled;
@@ -210,7 +241,7 @@ void cutShort(SweptMesh& mesh, Corners& corners, std::vector<double>& free, cons
   if (mesh.copies.size() == before.copies.size()) return;
   beginAgain(mesh, corners, free, tree, context, threads);
   const std::vector<std::uint8_t> single(mesh.surfaceVertices, 0);
-  Settled again = settle(mesh, around, single, free, context, threads);
+  Settled again = settle(mesh, around, single, free, 1, context, threads);
   again.rounds += settled.rounds;
   if (again.hopeless.empty())
     settled = std::move(again);
@@ -315,8 +346,8 @@ SweepResult finish(const SweptMesh& mesh, const ClosestPointTree& tree, Side sid
 // and are undone. Returns whether it is settled.
 bool settleWithCorners(SweptMesh& mesh, const TriangleMesh& surface, std::span<const Vec3> normal,
                        const VertexTriangles& around, const ClosestPointTree& tree,
-                       std::vector<std::uint8_t>& single, Polish polishing, Settled& settled,
-                       const RunContext& context, int threads) {
+                       std::vector<std::uint8_t>& single, Polish polishing, double mostShort,
+                       Settled& settled, const RunContext& context, int threads) {
   Corners corners(mesh, normal, around);
   corners.divide(kCornerOff, single);
   (void)corners.takeChanged();
@@ -327,7 +358,8 @@ bool settleWithCorners(SweptMesh& mesh, const TriangleMesh& surface, std::span<c
   std::vector<double> free;
   for (const Copy& c : mesh.copies) free.push_back(c.depth);
   for (int retries = 0;; ++retries) {
-    settled = settle(mesh, around, single, free, context, threads);
+    settled = settle(mesh, around, single, free, mostShort, context, threads);
+    if (settled.isShort) return true;
     if (settled.hopeless.empty()) break;
     const std::vector<VertexId> fresh = markAround(surface, around, settled.hopeless, single);
     if (fresh.empty() || retries == kMostCornerRetries || !corners.undo(fresh)) return false;
@@ -339,8 +371,11 @@ bool settleWithCorners(SweptMesh& mesh, const TriangleMesh& surface, std::span<c
 
 }  // namespace
 
-SweepResult sweep(const TriangleMesh& surface, const ClosestPointTree& tree, double thickness, Side side,
-                  const RunContext& context, int threads, Polish polishing) {
+namespace {
+
+std::optional<SweepResult> sweepWith(const TriangleMesh& surface, const ClosestPointTree& tree,
+                                     double thickness, Side side, Polish polishing, double mostShort,
+                                     const RunContext& context, int threads) {
   const auto normal = faceNormals(surface.positions, surface.triangles, threads);
   const auto around = vertexTriangles(surface.positions.size(), surface.triangles, threads);
   const Rim rim = rimOf(surface.positions.size(), surface.triangles, threads);
@@ -355,16 +390,31 @@ SweepResult sweep(const TriangleMesh& surface, const ClosestPointTree& tree, dou
   std::vector<std::uint8_t> single(surface.positions.size(), polishing == Polish::kNo ? 1 : 0);
   Settled settled;
   for (const SweptMesh plain = mesh;; mesh = plain) {
-    if (settleWithCorners(mesh, surface, normal, around, tree, single, polishing, settled, context, threads))
+    if (settleWithCorners(mesh, surface, normal, around, tree, single, polishing, mostShort, settled, context,
+                          threads))
       break;
     // Where corners cannot be undone, no vertex gets one.
     if (std::find(single.begin(), single.end(), 0) == single.end()) throwNoSolidAt(mesh, settled.hopeless);
     std::fill(single.begin(), single.end(), std::uint8_t{1});
   }
+  if (settled.isShort) return std::nullopt;
   SweepResult result = finish(mesh, tree, side, context, threads);
   result.rounds = settled.rounds;
   if (side != Side::kBoth) result.order = std::move(settled.order);  // else S is no part of the result
   return result;
+}
+
+}  // namespace
+
+SweepResult sweep(const TriangleMesh& surface, const ClosestPointTree& tree, double thickness, Side side,
+                  const RunContext& context, int threads, Polish polishing) {
+  return *sweepWith(surface, tree, thickness, side, polishing, 1, context, threads);
+}
+
+std::optional<SweepResult> sweepUnlessShort(const TriangleMesh& surface, const ClosestPointTree& tree,
+                                            double thickness, double mostShort, const RunContext& context,
+                                            int threads) {
+  return sweepWith(surface, tree, thickness, Side::kNegative, Polish::kYes, mostShort, context, threads);
 }
 
 }  // namespace thicken

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "thicken/closest_point.h"
@@ -39,5 +40,12 @@ enum class Polish : std::uint8_t { kNo, kYes };
 [[nodiscard]] SweepResult sweep(const TriangleMesh& surface, const ClosestPointTree& tree, double thickness,
                                 Side side, const RunContext& context, int threads,
                                 Polish polishing = Polish::kYes);
+
+/// As sweep() to the negative side. Nothing where the shell of more than the share `mostShort` of S's area
+/// would be short of the thickness, by an estimate that is made before anything is drawn back.
+[[nodiscard]] std::optional<SweepResult> sweepUnlessShort(const TriangleMesh& surface,
+                                                          const ClosestPointTree& tree, double thickness,
+                                                          double mostShort, const RunContext& context,
+                                                          int threads);
 
 }  // namespace thicken

@@ -45,7 +45,7 @@ bool settleWalls(SweptMesh& walls, const ClosestPointTree& tree, std::size_t& ro
     walls.place(i);
   }
   ConflictTester tester(walls, context, threads);
-  const RetreatResult result = retreat(walls, graph, tester, context);
+  const RetreatResult result = retreat(walls, graph, tester, tester.all(), context);
   if (!result.buried.empty() || !result.stuck.empty()) return false;
   rounds = result.rounds;
   advance(walls, graph, tester, goal, context);
