@@ -1,70 +1,39 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// The one place where threads run: by OpenMP, which keeps them between loops, or else by the standard
-// library, which starts them for each loop and which the thread sanitizer can see into. Cancel checks, and
-// exceptions that must not leave a thread.
+// Loops on several threads, with cancel checks, and with exceptions that must not leave a thread.
 #pragma once
 
-#ifdef _OPENMP
-#include <omp.h>
-#else
-#include <atomic>
-#include <thread>
-#include <vector>
-#endif
-
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <exception>
 #include <mutex>
+#include <thread>
 
 #include "thicken/run_context.h"
+#include "thread_pool.h"
 
 namespace thicken {
 
 /// Threads that a request of `threads` (0: all) means.
 [[nodiscard]] inline int threadCount(int threads) {
-#ifdef _OPENMP
-  return threads > 0 ? threads : omp_get_max_threads();
-#else
   return threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-#endif
 }
 
 namespace detail {
 
-/// Calls block(b) for b in [0, blocks), which must not throw, on `count` threads.
+/// Calls block(b) for b in [0, blocks), which must not throw, on up to `count` threads.
 template <class Block>
 void runBlocks(std::size_t blocks, int count, Block block) {
-  const bool several = count > 1 && blocks > 1;
-#ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic, 1) num_threads(count) if (several)
-  for (std::size_t b = 0; b < blocks; ++b) block(b);
-#else
   std::atomic<std::size_t> next = 0;
   const auto work = [&] {
     for (std::size_t b; (b = next.fetch_add(1, std::memory_order_relaxed)) < blocks;) block(b);
   };
-  std::vector<std::jthread> others;
-  if (several)
-    for (int i = 1; i < count; ++i) others.emplace_back(work);
-  work();
-#endif
+  const auto useful = static_cast<int>(std::min<std::size_t>(blocks, static_cast<std::size_t>(count)));
+  runWithHelpers(useful - 1, work);
 }
 
 }  // namespace detail
-
-/// Calls body() once on every thread that a loop of `threads` threads would run on now. Threads that are
-/// started for each loop are like the calling one in everything, and are not started for this.
-template <class Body>
-void onEveryThread(int threads, Body body) {
-#ifdef _OPENMP
-#pragma omp parallel num_threads(threadCount(threads))
-#else
-  (void)threads;
-#endif
-  body();
-}
 
 /// Calls body(i) for i in [0, n), in blocks of `grain`, on `threads` threads. Results must go to
 /// places addressed by i, so that they do not depend on the schedule. The exception of the lowest

@@ -3,15 +3,20 @@
 // What is done on several threads must not depend on how many they are.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
+#include <cfenv>
 #include <map>
 #include <numeric>
 #include <random>
+#include <thread>
 
 #include "field/block_bits.h"
 #include "field/block_index.h"
 #include "mesh/buckets.h"
 #include "mesh/parallel_sort.h"
 #include "mesh/union_find.h"
+#include "parallel_for.h"
 
 namespace thicken {
 namespace {
@@ -23,6 +28,52 @@ std::vector<std::uint32_t> someNumbers(std::size_t count, std::uint32_t below) {
   std::vector<std::uint32_t> numbers(count);
   for (std::uint32_t& n : numbers) n = random() % below;
   return numbers;
+}
+
+TEST(ParallelFor, CallsEveryNumberOnceOnAnyNumberOfThreads) {
+  for (const int threads : {1, 2, 5}) {
+    std::vector<std::atomic<int>> called(10'000);
+    parallelFor(called.size(), threads, RunContext(), 7, [&](std::size_t i) { ++called[i]; });
+    EXPECT_TRUE(std::all_of(called.begin(), called.end(), [](const auto& n) { return n == 1; })) << threads;
+  }
+}
+
+TEST(ParallelFor, MayBeCalledWithinAnotherAndFromSeveralThreadsAtATime) {
+  std::atomic<std::size_t> sum = 0;
+  const auto nested = [&] {
+    parallelFor(20, 3, RunContext(), 1, [&](std::size_t i) {
+      parallelFor(100, 3, RunContext(), 1, [&](std::size_t k) { sum += 100 * i + k; });
+    });
+  };
+  {
+    std::vector<std::jthread> callers;
+    for (int i = 0; i < 4; ++i) callers.emplace_back(nested);
+  }
+  EXPECT_EQ(sum, 4u * 2000 * 1999 / 2);
+}
+
+TEST(ParallelFor, RethrowsTheExceptionOfTheLowestBlock) {
+  for (const int threads : {1, 4}) {
+    try {
+      parallelFor(1000, threads, RunContext(), 1, [](std::size_t i) {
+        if (i >= 500) throw i;
+      });
+      ADD_FAILURE() << "nothing was thrown";
+    } catch (const std::size_t i) {
+      EXPECT_EQ(i, 500u) << threads;
+    }
+  }
+}
+
+// Helpers are kept from loop to loop, and must not keep the mode of an earlier one.
+TEST(ParallelFor, RoundsAsTheCallingThreadDoes) {
+  for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_TONEAREST}) {
+    std::fesetround(mode);
+    std::atomic<int> others = 0;
+    parallelFor(1000, 4, RunContext(), 1, [&](std::size_t) { others += std::fegetround() != mode; });
+    std::fesetround(FE_TONEAREST);
+    EXPECT_EQ(others, 0) << mode;
+  }
 }
 
 TEST(ParallelSort, SortsOnAnyNumberOfThreads) {

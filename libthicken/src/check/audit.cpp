@@ -67,7 +67,7 @@ class Auditor {
         most_(most) {}
 
   AuditResult run() {
-    exact::requireExactArithmetic(threads_);
+    exact::requireExactArithmetic();
     if (mesh_.triangles.empty()) {
       report(ErrorCode::kEmpty, 1, Vec3::Zero(), "the solid has no triangles");
       return result_;

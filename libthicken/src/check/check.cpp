@@ -200,7 +200,7 @@ std::vector<VertexId> verticesOutOfDomain(const TriangleMesh& mesh) {
 CheckResult check(const TriangleMesh& mesh, RunContext context, int threads) {
   context.reserve(kBytesPerTriangle * mesh.triangles.size(),
                   "simplify the mesh or check a part of it at a time");
-  exact::requireExactArithmetic(threads);
+  exact::requireExactArithmetic();
   CheckResult result;
   const std::vector<VertexId> unfit = verticesOutOfDomain(mesh);
   const bool finite = unfit.empty();

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "exact/domain.h"
 
-#include <atomic>
 #include <bit>
 #include <cstdint>
 #include <limits>
 #include <string>
 
-#include "parallel_for.h"
 #include "thicken/error.h"
 
 namespace thicken::exact {
@@ -68,13 +66,9 @@ bool inDomain(const Vec3& p) {
   return true;
 }
 
-// The modes belong to a thread, and threads that OpenMP keeps may be older than a change in this one.
-void requireExactArithmetic(int threads) {
-  std::atomic<int> worst = kNone;
-  onEveryThread(threads, [&worst] {
-    if (const Flaw flaw = flawOfThisThread(); flaw != kNone) worst = flaw;
-  });
-  if (worst != kNone) throw Error(ErrorCode::kArithmetic, sentenceOf(static_cast<Flaw>(worst.load())));
+void requireExactArithmetic() {
+  if (const Flaw flaw = flawOfThisThread(); flaw != kNone)
+    throw Error(ErrorCode::kArithmetic, sentenceOf(flaw));
 }
 
 }  // namespace thicken::exact

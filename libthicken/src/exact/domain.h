@@ -27,9 +27,10 @@ inline constexpr double kLargestCoordinate = FLT_MAX;
 /// subnormal numbers for 0, comparisons do so, too.
 [[nodiscard]] bool inDomain(const Vec3& p);
 
-/// Throws Error(kArithmetic) unless each of the threads (0: all) rounds to nearest, keeps subnormal numbers
-/// and does not contract a product and a sum into one operation. Other libraries of the process may have
-/// changed the first two, and other compiler options the third.
-void requireExactArithmetic(int threads);
+/// Throws Error(kArithmetic) unless this thread rounds to nearest, keeps subnormal numbers and does not
+/// contract a product and a sum into one operation. Other libraries of the process may have changed the first
+/// two, and other compiler options the third. Loops on several threads have the modes of the thread that
+/// begins them.
+void requireExactArithmetic();
 
 }  // namespace thicken::exact

@@ -330,7 +330,7 @@ struct ShellToProve {
 ErrorBound boundShellError(const TriangleMesh& solid, std::span<const Region> region,
                            const ClosestPointTree& tree, double r, Side side, double tolerance,
                            const RunContext& context, int threads) {
-  exact::requireExactArithmetic(threads);
+  exact::requireExactArithmetic();
   const ShellToProve shell(solid, region, tree, r, side, tolerance, context, threads);
   const auto worstOf = [&](const auto& boundOf) {
     std::vector<ErrorBound> bounds(shell.triangles.size());
