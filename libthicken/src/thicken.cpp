@@ -26,8 +26,8 @@ namespace thicken {
 
 namespace {
 
-// Shares of the progress at which the stages begin.
-constexpr double kChecked = 0.15, kSwept = 0.75, kAudited = 0.9;
+// Shares of the progress at which stages end.
+constexpr double kChecked = 0.12, kSwept = 0.4, kShaped = 0.8, kAudited = 0.92, kMeasured = 0.96;
 
 TriangleMesh stored(const TriangleMesh& surface, Precision precision, int threads) {
   if (precision == Precision::kDouble) return weld(surface, threads);
@@ -222,7 +222,10 @@ Solid provedOf(std::optional<Solid> better, std::optional<Solid> swept, const Tr
 Solid provedSolid(const TriangleMesh& surface, const TriangleMesh& oriented, const ClosestPointTree& tree,
                   const SurfaceFacts& input, const Options& options, RunContext context, int threads,
                   Stopwatch& watch) {
-  context.enter(Stage::kSweeping, kChecked, kSwept);
+  const Work work = workFor(input, options);
+  const bool isDeepened = options.method == Method::kAuto && options.side != Side::kBoth;
+  context.enter(Stage::kSweeping, kChecked, isDeepened ? kSwept : kShaped,
+                options.method == Method::kReconstruct ? work.contour : work.sweep);
   std::optional<Solid> better, swept;
   ShellDistances sweptShell;
   std::vector<TriangleId> sweptOrder;
@@ -234,20 +237,22 @@ Solid provedSolid(const TriangleMesh& surface, const TriangleMesh& oriented, con
     const Side side = sweptSide(options.side);
     SweepResult made = sweep(oriented, tree, options.thickness, side, context, threads);
     watch.lap("sweep");
-    if (options.method == Method::kAuto && side == Side::kNegative)
+    if (isDeepened) {
+      context.enter(Stage::kField, kSwept, kShaped, work.contour);
       better = deepenedSolid(oriented, tree, made, input, options, context, threads, watch, fallbacks);
+    }
     sweptShell = {std::move(made.distance), std::move(made.nearest)};
     sweptOrder = std::move(made.order);
     swept = sweptSolid(std::move(made), input, options, threads);
   }
 
-  context.enter(Stage::kAuditing, kSwept, kAudited);
+  context.enter(Stage::kAuditing, kShaped, kAudited, work.audit);
   Solid solid = provedOf(std::move(better), std::move(swept), surface, options.side, context, threads,
                          sweptOrder, fallbacks);
   solid.report.fallbacks.insert(solid.report.fallbacks.end(), fallbacks.begin(), fallbacks.end());
   watch.lap("audit");
 
-  context.enter(Stage::kMeasuring, kAudited, 1);
+  context.enter(Stage::kMeasuring, kAudited, options.tolerance ? kMeasured : 1, work.measure);
   if (solid.report.method != Method::kSweep) sweptShell = {};  // another mesh than the sweep's
   measure(solid, oriented, tree, std::move(sweptShell),
           options.tolerance ? Measure::kAll : Measure::kRepresentative, context, threads);
@@ -264,6 +269,7 @@ Solid solidOf(const TriangleMesh& surface, const SurfaceFacts& input, const Opti
   if (!options.tolerance)
     return provedSolid(surface, oriented, tree, input, options, context, threads, watch);
   Solid solid = provedSolid(surface, oriented, tree, input, options, context, threads, watch);
+  context.enter(Stage::kMeasuring, kMeasured, 1, workFor(input, options).tolerance);
   const ErrorBound bound = boundShellError(solid.mesh, solid.region, tree, options.thickness, options.side,
                                            *options.tolerance, context, threads);
   watch.lap("tolerance");
@@ -321,17 +327,21 @@ Solid thickenKnown(const TriangleMesh& input, const Options& options, RunContext
   const int threads = threadCount(options.threads);
   Stopwatch watch;
 
-  context.enter(Stage::kChecking, 0, kChecked);
   TriangleMesh given = stored(input, options.precision, threads);
-  const std::size_t predicted = predictedBytes(given, options);
-  context.reserve(predicted, "thicken a part of the surface at a time, or simplify it first");
+  const SurfaceFacts sizes = sizesOf(given);
+  const Forecast predicted = forecast(sizes, options);
+  context.enter(Stage::kChecking, 0, kChecked, workFor(sizes, options).check);
+  context.reserve(predicted.leastBytes, "thicken a part of the surface at a time, or simplify it first");
   RepairResult surface = validSurface(std::move(given), options, context, threads, watch, known);
   requireRoom(surface.mesh, options);
   const NearRims near =
       surface.facts.surface.rims > 0 ? nearRims(surface.mesh, context, threads) : NearRims{};
 
   Solid solid = solidOfRepaired(surface, options, context, threads, watch, known);
-  solid.report.predictedMemory = std::max(solid.report.predictedMemory, predicted);
+  const std::size_t limit = context.memoryLimit();
+  const std::size_t expected = limit == 0 ? predicted.bytes : std::min(predicted.bytes, limit);
+  solid.report.predictedMemory = std::max(solid.report.predictedMemory, expected);
+  solid.report.predictedSeconds = predicted.seconds;
   solid.report.peakMemory = peakMemory();
   solid.report.seconds = watch.laps();
   if (options.repair) {
@@ -344,7 +354,7 @@ Solid thickenKnown(const TriangleMesh& input, const Options& options, RunContext
     if (options.strict) throw Error(ErrorCode::kNoSolid, *why);
     solid.report.warnings.push_back(*why);
   }
-  context.enter(Stage::kDone, 1, 1);
+  context.enter(Stage::kDone, 1, 1, 0);
   return solid;
 }
 
