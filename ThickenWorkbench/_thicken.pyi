@@ -43,6 +43,19 @@ def thicken(
     threads: int = 0,
     context: RunContext | None = None,
 ) -> dict[str, Any]: ...
+def forecast(
+    triangles: int,
+    area: float,
+    thickness: float,
+    *,
+    diagonal: float = 0.0,
+    side: str = "negative",
+    method: str = "auto",
+    cell: float | None = None,
+    resolution: int | None = None,
+    tolerance: float | None = None,
+    threads: int = 0,
+) -> tuple[float, int]: ...
 def check(
     vertices: ArrayLike, triangles: ArrayLike, *, threads: int = 0, context: RunContext | None = None
 ) -> dict[str, Any]: ...

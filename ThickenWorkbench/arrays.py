@@ -50,6 +50,45 @@ class RepairedMesh(NamedTuple):
     report: dict[str, Any]  #: the entry "repair" of docs/report.md
 
 
+class SurfaceSize(NamedTuple):
+    """What of a surface makes a run long."""
+
+    triangles: int
+    area: float  #: mm²
+    diagonal: float  #: mm, of the bounding box
+
+
+def size_of(vertices: ArrayLike, triangles: ArrayLike) -> SurfaceSize:
+    """Return the size of a surface, as forecast_mesh() takes it."""
+    points, corners = np.asarray(vertices, float), np.asarray(triangles)
+    if not len(corners):
+        return SurfaceSize(0, 0.0, 0.0)
+    a, b, c = points[corners.T]
+    area = 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1).sum()
+    return SurfaceSize(len(corners), float(area), float(np.linalg.norm(np.ptp(points, axis=0))))
+
+
+def forecast_mesh(
+    size: SurfaceSize,
+    thickness: float,
+    *,
+    side: Literal["negative", "positive", "both"] = "negative",
+    method: Literal["auto", "sweep", "reconstruct"] = "auto",
+    cell: float | None = None,
+    resolution: int | None = None,
+    tolerance: float | None = None,
+    threads: int = 0,
+) -> tuple[float, int]:
+    """Return the seconds and the bytes that thicken_mesh() is likely to take for a surface of this size.
+
+    The seconds are of an idle machine like the one that the forecast was fitted on. Nothing is computed for it.
+    """
+    return native.load().forecast(
+        *size[:2], thickness, diagonal=size.diagonal, side=side, method=method,
+        cell=cell, resolution=resolution, tolerance=tolerance, threads=threads,
+    )  # fmt: skip
+
+
 def thicken_mesh(
     vertices: ArrayLike,
     triangles: ArrayLike,

@@ -1,24 +1,21 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a run will take, told before it begins: seconds of this machine, and memory."""
+"""What a run will take, told before it begins: the library's forecast, with what this machine takes of it."""
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from . import preferences
+from .arrays import SurfaceSize, forecast_mesh
 
-_MIB = 1 << 20
-
-# Seconds for a triangle of the surface. The time is close to linear in them, so that one number, which starts
-# with a measurement and follows the runs on this machine, is enough for “about”.
-_KEY = "SecondsPerTriangle"
+# How many times the forecast runs take here. It starts with 1 and follows the runs on this machine.
+_KEY = "TimesForecast"
 
 # How much a run counts against all before it.
 _WEIGHT = 0.3
 
-# As the library's own forecast, which it compares with the limit before it begins (libthicken/src/plan.cpp).
-_BYTES_PER_TRIANGLE = 1250
-_BYTES = 16 * _MIB
+# The arguments of thicken_mesh() that make a difference.
+_NAMES = ("side", "method", "cell", "resolution", "tolerance", "threads")
 
 
 class Forecast(NamedTuple):
@@ -36,21 +33,23 @@ class Forecast(NamedTuple):
 
 def bytes_of(triangles: int) -> int:
     """What checking or measuring so many triangles takes at most."""
-    return _BYTES + triangles * _BYTES_PER_TRIANGLE
+    return forecast_mesh(SurfaceSize(triangles, 0.0, 0.0), 1.0)[1]
 
 
-def forecast(triangles: int, side: str) -> Forecast:
-    """For a surface of so many triangles."""
-    shells = 2 if side.lower() == "both" else 1
-    # Two shells: the surface is checked once, but swept, audited and measured twice.
-    seconds = triangles * preferences.get(_KEY) * (1 + shells) / 2
-    return Forecast(seconds, _BYTES + triangles * _BYTES_PER_TRIANGLE * (1 + shells) // 2)
+def _told(size: SurfaceSize, arguments: dict[str, Any]) -> tuple[float, int]:
+    given = {name: arguments[name] for name in _NAMES if name in arguments}
+    return forecast_mesh(size, arguments["thickness"], **given)
 
 
-def learn(triangles: int, side: str, seconds: float) -> None:
+def forecast(sizes: list[SurfaceSize], arguments: dict[str, Any]) -> Forecast:
+    """For surfaces that are thickened one after the other, with these arguments of thicken_mesh()."""
+    told = [_told(size, arguments) for size in sizes]
+    return Forecast(preferences.get(_KEY) * sum(t[0] for t in told), max(t[1] for t in told))
+
+
+def learn(size: SurfaceSize, arguments: dict[str, Any], seconds: float) -> None:
     """Take in how long a run really took on this machine."""
-    if triangles < 1000 or not seconds > 0:  # too short to tell
+    if size.triangles < 1000 or not seconds > 0:  # too short to tell
         return
-    shells = 2 if side.lower() == "both" else 1
-    seen = seconds / (triangles * (1 + shells) / 2)
-    preferences.put(_KEY, (1 - _WEIGHT) * preferences.get(_KEY) + _WEIGHT * seen)
+    seen = seconds / _told(size, arguments)[0]
+    preferences.put(_KEY, preferences.get(_KEY) ** (1 - _WEIGHT) * seen**_WEIGHT)

@@ -34,7 +34,7 @@ PREFERENCES = [
     Preference("Output", "Int", 0),  # 0: mesh, 1: Part solid
     Preference("Preview", "Bool", True),
     Preference("PreviewTriangles", "Int", 300000),  # larger surfaces are not previewed
-    Preference("SecondsPerTriangle", "Float", 8e-5),  # learned from the runs on this machine
+    Preference("TimesForecast", "Float", 1.0),  # what the runs on this machine take of the library's forecast
     Preference("MinimumWall", "Float", 1.0),  # mm, of the reports
     Preference("DrainDiameter", "Float", 3.5),  # mm
     Preference("ColorOriginal", "Unsigned", 0xF2C744FF),

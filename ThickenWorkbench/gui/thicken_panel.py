@@ -15,7 +15,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from .. import build, numbers, params, precomputed, prediction, preferences, runs
-from ..arrays import ThickenedMesh, thicken_mesh
+from ..arrays import ThickenedMesh, size_of, thicken_mesh
 from ..part_solid import part_solid_of, size_warning
 from ..sources import DEFAULT_DEFLECTION
 from . import macro, messages
@@ -87,7 +87,8 @@ class ThickenPanel(Panel):
     def _read_surfaces(self, deflection: float) -> None:
         self._deflection = deflection
         self._surfaces = [surface_of(item, deflection) for item in self.chosen]
-        self._triangles = sum(len(surface[1]) for surface in self._surfaces)
+        self._sizes = [size_of(*surface) for surface in self._surfaces]
+        self._triangles = sum(size.triangles for size in self._sizes)
 
     def _flip(self) -> None:
         """A click on the arrow; while a region is picked, clicks mean the mesh."""
@@ -163,9 +164,7 @@ class ThickenPanel(Panel):
         inputs = parts.inputs()
         if inputs["deflection"] and inputs["deflection"] != self._deflection:
             self._read_surfaces(inputs["deflection"])
-        seconds, memory = prediction.forecast(self._triangles, inputs["side"]).sentence()
-        forecast = translate("Thicken", "OK will take about {seconds} and {memory} of memory.")
-        self._show_forecast(forecast.format(seconds=seconds, memory=memory))
+        self._show_forecast(self._forecast(inputs))
         self._arrow.show(inputs["side"], inputs["thickness"])
         self._preview.cancel()
         if self._picker is not None:
@@ -181,6 +180,14 @@ class ThickenPanel(Panel):
             self._preview.request(self._runs())
         else:
             self._preview.hide()
+
+    def _forecast(self, inputs: dict[str, Any]) -> str:
+        if not inputs["thickness"] > 0:
+            return ""
+        arguments = {**arguments_of(inputs), "threads": runs.threads()}
+        seconds, memory = prediction.forecast(self._sizes, arguments).sentence()
+        text = translate("Thicken", "OK will take about {seconds} and {memory} of memory.")
+        return text.format(seconds=seconds, memory=memory)
 
     def _show_forecast(self, text: str) -> None:
         told = [text, self._question_of_unit(), self._warning_of_size()]
@@ -239,9 +246,9 @@ class ThickenPanel(Panel):
         return f"{text}\n{helps}"
 
     def _learn(self, solids: list[ThickenedMesh]) -> None:
-        side = self.form_parts.inputs()["side"]
-        for surface, solid in zip(self._surfaces, solids):
-            prediction.learn(len(surface[1]), side, solid.report["seconds"]["total"])
+        arguments = {**arguments_of(self.form_parts.inputs()), "threads": runs.threads()}
+        for size, solid in zip(self._sizes, solids):
+            prediction.learn(size, arguments, solid.report["seconds"]["total"])
 
     # --- after OK ---
 

@@ -70,6 +70,25 @@ py::dict thickenArrays(const py::object& vertices, const py::object& triangles, 
   return toDict(runInterruptibly(run, [&] { return thicken(surface, options, run); }));
 }
 
+py::tuple forecastOf(std::size_t triangles, double area, double thickness, double diagonal,
+                     const std::string& side, const std::string& method, std::optional<double> cell,
+                     std::optional<int> resolution, std::optional<double> tolerance, int threads) {
+  Options options;
+  options.thickness = thickness;
+  options.side = chosen(kSides, "side", side);
+  options.method = chosen(kMethods, "method", method);
+  options.cell = cell;
+  options.resolution = resolution;
+  options.tolerance = tolerance;
+  options.threads = threads;
+  SurfaceFacts surface;
+  surface.triangles = triangles;
+  surface.area = area;
+  surface.diagonal = diagonal;
+  const Forecast told = forecast(surface, options);
+  return py::make_tuple(told.seconds, told.bytes);
+}
+
 py::object checkArrays(const py::object& vertices, const py::object& triangles, int threads,
                        const std::optional<RunContext>& context) {
   const RunContext run = context.value_or(RunContext());
@@ -97,6 +116,11 @@ void bindThicken(py::module_& module) {
              arg("smooth") = py::none(), arg("repair") = false, arg("weld") = py::none(),
              arg("join") = py::none(), arg("threads") = 0, arg("context") = py::none(),
              "Thicken a surface; returns a dict of vertices, triangles, region, depth and report.");
+  module.def("forecast", &forecastOf, arg("triangles"), arg("area"), arg("thickness"), py::kw_only(),
+             arg("diagonal") = 0.0, arg("side") = "negative", arg("method") = "auto",
+             arg("cell") = py::none(), arg("resolution") = py::none(), arg("tolerance") = py::none(),
+             arg("threads") = 0,
+             "What thickening a surface of such a size is likely to take: seconds, and bytes at most.");
   module.def("check", &checkArrays, arg("vertices"), arg("triangles"), py::kw_only(), arg("threads") = 0,
              arg("context") = py::none(),
              "Find every kind of defect of a surface; returns a dict of status, input and defects.");

@@ -37,7 +37,8 @@ void runBlocks(std::size_t blocks, int count, Block block) {
 
 /// Calls body(i) for i in [0, n), in blocks of `grain`, on `threads` threads. Results must go to
 /// places addressed by i, so that they do not depend on the schedule. The exception of the lowest
-/// failing block is rethrown; a cancelled context ends the loop with kCancelled.
+/// failing block is rethrown; a cancelled context ends the loop with kCancelled. Each block counts as a unit
+/// of the context's work.
 template <class Body>
 void parallelFor(std::size_t n, int threads, const RunContext& context, std::size_t grain, Body body) {
   const std::size_t blocks = (n + grain - 1) / grain;
@@ -49,6 +50,7 @@ void parallelFor(std::size_t n, int threads, const RunContext& context, std::siz
       context.throwIfCancelled();
       const std::size_t end = b + 1 < blocks ? (b + 1) * grain : n;
       for (std::size_t i = b * grain; i < end; ++i) body(i);
+      context.count();
     } catch (...) {
       const std::lock_guard lock(guard);
       if (b >= errorBlock) return;

@@ -87,13 +87,34 @@ void requireRoom(const TriangleMesh& surface, const Options& options) {
                     most, step, options.thickness));
 }
 
-std::size_t predictedBytes(const TriangleMesh& surface, const Options& options) {
-  // Measured over the open surfaces of the test corpus, per triangle of S, with a margin: positions,
-  // triangles, the two trees, adjacency and the audit's edge table.
-  constexpr std::size_t kPerTriangle = 1250;
-  constexpr std::size_t kBase = std::size_t{16} << 20;
-  const std::size_t shells = options.side == Side::kBoth ? 2 : 1;
-  return kBase + surface.triangles.size() * kPerTriangle * (1 + shells) / 2;
+double predictedCrossings(const SurfaceFacts& surface, const Options& options) {
+  if (options.method == Method::kSweep || options.side == Side::kBoth) return 0;
+  const bool isWhole = options.method == Method::kReconstruct || options.tolerance;
+  // `auto` makes so much of the shell of it, in the mean over the test corpus.
+  constexpr double kUsualShare = 0.02;
+  constexpr double kMostCells = 6e5;
+  const double r = options.thickness;
+  double width = std::clamp(std::sqrt(surface.area / kMostCells), r / (isWhole ? 6 : 3.5), r / 2.2);
+  // A tolerance takes up to four times as many cells.
+  if (options.tolerance) width = std::clamp(std::sqrt(3 * *options.tolerance * r), width / 2, width);
+  if (options.cell) width = *options.cell;
+  if (options.resolution) width = (surface.diagonal / std::sqrt(3.0) + 2 * r) / *options.resolution;
+  constexpr double kCrossings = 1.5;  // a cell: the mean of |n_x| + |n_y| + |n_z|
+  const double crossings = (isWhole ? 1 : kUsualShare) * kCrossings * surface.area / (width * width);
+  return crossings < 1e15 ? crossings : 0;  // else a surface that check() refuses
+}
+
+Work workFor(const SurfaceFacts& surface, const Options& options) {
+  // Counted in runs over a few surfaces of the test corpus, where a unit is some 50 microseconds.
+  const auto triangles = static_cast<double>(surface.triangles);
+  Work work;
+  work.check = 0.1 * triangles;
+  work.sweep = 0.5 * triangles;
+  work.contour = 0.4 * triangles + 0.2 * predictedCrossings(surface, options);
+  work.audit = 0.2 * triangles;
+  work.measure = 0.06 * triangles;
+  work.tolerance = triangles;
+  return work;
 }
 
 }  // namespace thicken

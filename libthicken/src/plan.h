@@ -4,10 +4,9 @@
 // leave room for the thickness, how much memory the run will take.
 #pragma once
 
-#include <cstddef>
-
 #include "thicken/mesh.h"
 #include "thicken/options.h"
+#include "thicken/surface_facts.h"
 
 namespace thicken {
 
@@ -18,7 +17,13 @@ void requireValid(const Options& options);
 /// kNoSolid when a float cannot tell the thickness from 0 at the coordinates' distance from the origin.
 void requireRoom(const TriangleMesh& surface, const Options& options);
 
-/// Bytes that thickening `surface` takes at its peak.
-[[nodiscard]] std::size_t predictedBytes(const TriangleMesh& surface, const Options& options);
+/// Edges of the grid that the contour is likely to cross, if there is one.
+[[nodiscard]] double predictedCrossings(const SurfaceFacts& surface, const Options& options);
+
+/// Units of work (RunContext::count) that the stages take, roughly.
+struct Work {
+  double check = 0, sweep = 0, contour = 0, audit = 0, measure = 0, tolerance = 0;
+};
+[[nodiscard]] Work workFor(const SurfaceFacts& surface, const Options& options);
 
 }  // namespace thicken

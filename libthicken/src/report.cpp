@@ -176,6 +176,7 @@ std::string toJson(const Report& report) {
   json["field"] = {{"cells", report.fieldCells}, {"nodes", report.fieldNodes}, {"finest_cell_mm", nullptr}};
   if (report.finestCell > 0) json["field"]["finest_cell_mm"] = report.finestCell;
   json["seconds"] = stages(report.seconds);
+  json["predicted_seconds"] = report.predictedSeconds;
   json["memory"] = {{"predicted_bytes", report.predictedMemory}, {"peak_bytes", report.peakMemory}};
   json["output"] = outputFacts(report);
   json["surface_deviation_mm"] = report.surfaceDeviation;

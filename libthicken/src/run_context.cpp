@@ -10,19 +10,51 @@
 
 namespace thicken {
 
+namespace {
+
+// Of what is counted before any stage was entered, as in a check by itself.
+constexpr double kUnknownWork = 1000;
+
+// A NaN counts as nothing done.
+double clampShare(double share) noexcept {
+  return std::isnan(share) ? 0 : std::clamp(share, 0.0, 1.0);
+}
+
+// The share of a stage that is done after `x` times the work that was expected of it.
+double doneAfter(double x) noexcept {
+  constexpr double kLinear = 0.75;
+  return x <= 1 ? kLinear * x : 1 - (1 - kLinear) / std::sqrt(x);
+}
+
+}  // namespace
+
 // Each value stands for itself and nothing is published through it: relaxed order is enough. The
 // program cancels from a signal handler, which only lock-free atomics allow.
 struct RunContext::State {
   std::atomic<bool> cancelled{false};
   std::atomic<double> progress{0};
-  std::atomic<double> stageBegin{0};
-  std::atomic<double> stageEnd{0};
+  std::atomic<double> partBegin{0}, partEnd{1};
+  // Of the run's own progress, which partBegin and partEnd are not part of.
+  std::atomic<double> stageBegin{0}, stageEnd{1}, stageWork{kUnknownWork};
+  std::atomic<std::size_t> work{0}, workBefore{0};
   std::atomic<Stage> stage{Stage::kWaiting};
   std::atomic<std::size_t> memoryLimit{0};
 
+  // The run's own share, of `progress`.
+  [[nodiscard]] double done() const noexcept {
+    const double begin = partBegin.load(std::memory_order_relaxed);
+    const double end = partEnd.load(std::memory_order_relaxed);
+    if (!(end > begin)) return 0;
+    return clampShare((progress.load(std::memory_order_relaxed) - begin) / (end - begin));
+  }
+
   static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<double>::is_always_lock_free);
 
+  // `share` is of the run, whatever part of the caller's that is.
   void raiseProgress(double share) noexcept {
+    const double begin = partBegin.load(std::memory_order_relaxed);
+    const double end = partEnd.load(std::memory_order_relaxed);
+    share = begin + share * (end - begin);
     double seen = progress.load(std::memory_order_relaxed);
     while (share > seen && !progress.compare_exchange_weak(seen, share, std::memory_order_relaxed)) {
     }
@@ -30,11 +62,6 @@ struct RunContext::State {
 };
 
 namespace {
-
-// A NaN counts as nothing done.
-double clampShare(double share) noexcept {
-  return std::isnan(share) ? 0 : std::clamp(share, 0.0, 1.0);
-}
 
 std::string mebibytes(std::size_t bytes) {
   constexpr std::size_t kMebibyte = std::size_t{1} << 20;
@@ -99,18 +126,42 @@ std::size_t RunContext::memoryLimit() const noexcept {
   return state_->memoryLimit.load(std::memory_order_relaxed);
 }
 
-void RunContext::enter(Stage stage, double share, double end) noexcept {
-  const double begin = clampShare(share);
-  state_->stage.store(stage, std::memory_order_relaxed);
-  state_->stageBegin.store(begin, std::memory_order_relaxed);
-  state_->stageEnd.store(std::max(begin, clampShare(end)), std::memory_order_relaxed);
-  state_->raiseProgress(begin);
+void RunContext::setPart(double begin, double end) noexcept {
+  const double from = clampShare(begin);
+  state_->partBegin.store(from, std::memory_order_relaxed);
+  state_->partEnd.store(std::max(from, clampShare(end)), std::memory_order_relaxed);
+  state_->stageBegin.store(0, std::memory_order_relaxed);
+  state_->stageEnd.store(1, std::memory_order_relaxed);
+  state_->raiseProgress(0);
 }
 
-void RunContext::advance(double part) noexcept {
+void RunContext::enter(Stage stage, double begin, double end, double work) const noexcept {
+  const double from = clampShare(begin);
+  const double share = from < 1 ? (std::max(from, clampShare(end)) - from) / (1 - from) : 0;
+  const double before = std::max(from, state_->done());
+  state_->stage.store(stage, std::memory_order_relaxed);
+  state_->stageBegin.store(before, std::memory_order_relaxed);
+  state_->stageEnd.store(before + share * (1 - before), std::memory_order_relaxed);
+  state_->stageWork.store(work > 0 ? work : kUnknownWork, std::memory_order_relaxed);
+  state_->workBefore.store(counted(), std::memory_order_relaxed);
+  state_->raiseProgress(before);
+}
+
+void RunContext::enter(Stage stage) const noexcept {
+  state_->stage.store(stage, std::memory_order_relaxed);
+}
+
+void RunContext::count(std::size_t units) const noexcept {
+  const std::size_t work = state_->work.fetch_add(units, std::memory_order_relaxed) + units;
+  const double done = static_cast<double>(work - state_->workBefore.load(std::memory_order_relaxed)) /
+                      state_->stageWork.load(std::memory_order_relaxed);
   const double begin = state_->stageBegin.load(std::memory_order_relaxed);
   const double end = state_->stageEnd.load(std::memory_order_relaxed);
-  state_->raiseProgress(std::min(end, begin + clampShare(part) * (end - begin)));
+  state_->raiseProgress(begin + doneAfter(done) * (end - begin));
+}
+
+std::size_t RunContext::counted() const noexcept {
+  return state_->work.load(std::memory_order_relaxed);
 }
 
 void RunContext::throwIfCancelled() const {

@@ -27,8 +27,8 @@ namespace thicken {
 
 namespace {
 
-// Shares of the progress at which the stages begin.
-constexpr double kChecked = 0.15, kSwept = 0.75, kAudited = 0.9;
+// Shares of the progress at which stages end.
+constexpr double kChecked = 0.12, kSwept = 0.4, kShaped = 0.8, kAudited = 0.92, kMeasured = 0.96;
 
 TriangleMesh stored(const TriangleMesh& surface, Precision precision, int threads) {
   if (precision == Precision::kDouble) return weld(surface, threads);
@@ -49,6 +49,11 @@ TriangleMesh orientedFor(Side side, TriangleMesh surface) {
   if (side == Side::kPositive)
     for (Triangle& t : surface.triangles) std::swap(t[1], t[2]);
   return surface;
+}
+
+// Whether a contour is made where the sweep is short.
+bool isDeepened(const Options& options) {
+  return options.method == Method::kAuto && options.side != Side::kBoth;
 }
 
 // The side of such a surface that is swept.
@@ -217,12 +222,14 @@ void takeSweep(Made& made, SweepResult swept, const SurfaceFacts& input, const O
 // The sweep with the contour of the field where it is short of the thickness; the contour alone where the
 // sweep would be short of it nearly everywhere.
 Made madeByAuto(const TriangleMesh& oriented, const ClosestPointTree& tree, const SurfaceFacts& input,
-                const Options& options, const RunContext& context, int threads, Stopwatch& watch) {
+                const Options& options, const Work& work, const RunContext& context, int threads,
+                Stopwatch& watch) {
   Made made;
   const double r = options.thickness;
   std::optional<SweepResult> swept =
       sweepUnlessShort(oriented, tree, r, mostShort(oriented, options, context), context, threads);
   watch.lap("sweep");
+  context.enter(Stage::kField, kSwept, kShaped, work.contour);
   if (!swept) {
     makeBetter(made, oriented, [&] {
       return reconstructedSolid(reconstruct(oriented, tree, options, context, threads, watch), Method::kAuto,
@@ -241,10 +248,10 @@ Made madeByAuto(const TriangleMesh& oriented, const ClosestPointTree& tree, cons
 }
 
 Made madeBy(const TriangleMesh& oriented, const ClosestPointTree& tree, const SurfaceFacts& input,
-            const Options& options, const RunContext& context, int threads, Stopwatch& watch) {
+            const Options& options, const Work& work, const RunContext& context, int threads,
+            Stopwatch& watch) {
   const Side side = sweptSide(options.side);
-  if (options.method == Method::kAuto && side == Side::kNegative)
-    return madeByAuto(oriented, tree, input, options, context, threads, watch);
+  if (isDeepened(options)) return madeByAuto(oriented, tree, input, options, work, context, threads, watch);
   Made made;
   if (options.method == Method::kReconstruct) {
     made.better = reconstructedSolid(reconstruct(oriented, tree, options, context, threads, watch),
@@ -278,15 +285,17 @@ Solid provedOf(Made& made, const TriangleMesh& surface, const TriangleMesh& orie
 Solid provedSolid(const TriangleMesh& surface, const TriangleMesh& oriented, const ClosestPointTree& tree,
                   const SurfaceFacts& input, const Options& options, RunContext context, int threads,
                   Stopwatch& watch) {
-  context.enter(Stage::kSweeping, kChecked, kSwept);
-  Made made = madeBy(oriented, tree, input, options, context, threads, watch);
+  const Work work = workFor(input, options);
+  context.enter(Stage::kSweeping, kChecked, isDeepened(options) ? kSwept : kShaped,
+                options.method == Method::kReconstruct ? work.contour : work.sweep);
+  Made made = madeBy(oriented, tree, input, options, work, context, threads, watch);
 
-  context.enter(Stage::kAuditing, kSwept, kAudited);
+  context.enter(Stage::kAuditing, kShaped, kAudited, work.audit);
   Solid solid = provedOf(made, surface, oriented, tree, input, options, context, threads);
   solid.report.fallbacks.insert(solid.report.fallbacks.end(), made.fallbacks.begin(), made.fallbacks.end());
   watch.lap("audit");
 
-  context.enter(Stage::kMeasuring, kAudited, 1);
+  context.enter(Stage::kMeasuring, kAudited, options.tolerance ? kMeasured : 1, work.measure);
   if (solid.report.method != Method::kSweep) made.sweptShell = {};  // another mesh than the sweep's
   measure(solid, oriented, tree, std::move(made.sweptShell),
           options.tolerance ? Measure::kAll : Measure::kRepresentative, context, threads);
@@ -303,6 +312,7 @@ Solid solidOf(const TriangleMesh& surface, const SurfaceFacts& input, const Opti
   if (!options.tolerance)
     return provedSolid(surface, oriented, tree, input, options, context, threads, watch);
   Solid solid = provedSolid(surface, oriented, tree, input, options, context, threads, watch);
+  context.enter(Stage::kMeasuring, kMeasured, 1, workFor(input, options).tolerance);
   const ErrorBound bound = boundShellError(solid.mesh, solid.region, tree, options.thickness, options.side,
                                            *options.tolerance, context, threads);
   watch.lap("tolerance");
@@ -360,17 +370,21 @@ Solid thickenKnown(const TriangleMesh& input, const Options& options, RunContext
   const int threads = threadCount(options.threads);
   Stopwatch watch;
 
-  context.enter(Stage::kChecking, 0, kChecked);
   TriangleMesh given = stored(input, options.precision, threads);
-  const std::size_t predicted = predictedBytes(given, options);
-  context.reserve(predicted, "thicken a part of the surface at a time, or simplify it first");
+  const SurfaceFacts sizes = sizesOf(given);
+  const Forecast predicted = forecast(sizes, options);
+  context.enter(Stage::kChecking, 0, kChecked, workFor(sizes, options).check);
+  context.reserve(predicted.leastBytes, "thicken a part of the surface at a time, or simplify it first");
   RepairResult surface = validSurface(std::move(given), options, context, threads, watch, known);
   requireRoom(surface.mesh, options);
   const NearRims near =
       surface.facts.surface.rims > 0 ? nearRims(surface.mesh, context, threads) : NearRims{};
 
   Solid solid = solidOfRepaired(surface, options, context, threads, watch, known);
-  solid.report.predictedMemory = std::max(solid.report.predictedMemory, predicted);
+  const std::size_t limit = context.memoryLimit();
+  const std::size_t expected = limit == 0 ? predicted.bytes : std::min(predicted.bytes, limit);
+  solid.report.predictedMemory = std::max(solid.report.predictedMemory, expected);
+  solid.report.predictedSeconds = predicted.seconds;
   solid.report.peakMemory = peakMemory();
   solid.report.seconds = watch.laps();
   if (options.repair) {
@@ -383,7 +397,7 @@ Solid thickenKnown(const TriangleMesh& input, const Options& options, RunContext
     if (options.strict) throw Error(ErrorCode::kNoSolid, *why);
     solid.report.warnings.push_back(*why);
   }
-  context.enter(Stage::kDone, 1, 1);
+  context.enter(Stage::kDone, 1, 1, 0);
   return solid;
 }
 

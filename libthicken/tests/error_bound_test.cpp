@@ -51,7 +51,7 @@ double sampledError(const TriangleMesh& surface, const Solid& solid) {
   return most;
 }
 
-TEST(ErrorBound, IsAboveADenseSamplingByAFifthAtMost) {
+TEST(ErrorBoundSlow, IsAboveADenseSamplingByAFifthAtMost) {
   const TriangleMesh surfaces[] = {sheet(9, 7), cylinderPatch(40, 5, 2, 4), helicoid(30, 2, 1, 1.5),
                                    sphere(3, 4, [](const Vec3& p) { return p.z() > 1.3; })};
   for (const TriangleMesh& given : surfaces)

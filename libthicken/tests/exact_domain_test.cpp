@@ -281,7 +281,7 @@ TriangleMesh randomSurface(Magnitudes& m) {
   return mesh;
 }
 
-class EveryMagnitude : public ::testing::Test {
+class EveryMagnitudeSlow : public ::testing::Test {
  protected:
   // Whether `mesh` is valid by rationals, and that check() says the same.
   bool judgedValid(const TriangleMesh& mesh) {
@@ -326,7 +326,7 @@ class EveryMagnitude : public ::testing::Test {
   int outside_ = 0, meeting_ = 0, refused_ = 0, solids_ = 0;
 };
 
-TEST_F(EveryMagnitude, IsThickenedToAValidSolidOrRefused) {
+TEST_F(EveryMagnitudeSlow, IsThickenedToAValidSolidOrRefused) {
   Magnitudes magnitudes(2);
   for (int i = 0; i < 400; ++i) {
     const TriangleMesh surface = weld(randomSurface(magnitudes));

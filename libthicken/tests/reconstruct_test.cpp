@@ -64,7 +64,7 @@ TEST(Reconstruct, HollowsAClosedSurface) {
 }
 
 // Corners are where a copy of a vertex is nearer to S than the thickness, and a box has nothing but corners.
-TEST(Reconstruct, FindsTheCavityOfABoxAtAnyThickness) {
+TEST(ReconstructSlow, FindsTheCavityOfABoxAtAnyThickness) {
   for (const Method method : {Method::kAuto, Method::kReconstruct})
     for (const double r : {0.1, 0.3, 0.5, 0.77, 1.0, 1.6, 2.2}) {
       Options options;
@@ -171,7 +171,7 @@ TEST(StripRegion, IsWhatTheContourGoesOnAs) {
 }
 
 // The limit makes the field drop its nodes, and triangles be searched for meetings in blocks.
-TEST(Reconstruct, GivesTheSameBytesBelowATightLimit) {
+TEST(ReconstructSlow, GivesTheSameBytesBelowATightLimit) {
   const TriangleMesh sheet = shapes::sheet(12, 9);
   const double r = 0.9, cell = 0.045;
   const Solid whole = thicken(sheet, by(r, cell, 2));
@@ -242,7 +242,7 @@ TriangleMesh pleats(VertexId columns, VertexId rows, double length, double slope
   });
 }
 
-TEST(Reconstruct, TakesFinerCellsOnlyWhereSheetsAreTooClose) {
+TEST(ReconstructSlow, TakesFinerCellsOnlyWhereSheetsAreTooClose) {
   Options o;
   o.thickness = 1;
   o.method = Method::kReconstruct;
@@ -255,7 +255,7 @@ TEST(Reconstruct, TakesFinerCellsOnlyWhereSheetsAreTooClose) {
   EXPECT_NEAR(solid.report.volume, fine.report.volume, 0.002 * fine.report.volume);
 }
 
-TEST(Reconstruct, KeepsATightToleranceByFinerCellsAtCreases) {
+TEST(ReconstructSlow, KeepsATightToleranceByFinerCellsAtCreases) {
   const TriangleMesh blunt = pleats(12, 4, 4, 1);
   Options o;
   o.thickness = 0.3;
@@ -270,7 +270,7 @@ TEST(Reconstruct, KeepsATightToleranceByFinerCellsAtCreases) {
   EXPECT_LT(tight.report.triangles, 1.2 * static_cast<double>(loose.report.triangles));
 }
 
-TEST(Reconstruct, KeepsATightToleranceWhereWallsMeetCreases) {
+TEST(ReconstructSlow, KeepsATightToleranceWhereWallsMeetCreases) {
   // Waves end at the rim, and so do the creases of their offset.
   for (const auto& [height, waves, r] : {std::tuple{0.5, 3, 0.25}, {0.3, 4, 0.15}, {0.5, 4, 0.1}}) {
     Options o;

@@ -377,7 +377,7 @@ TriangleMesh damaged(std::mt19937& random) {
   return weld(mesh);
 }
 
-TEST(Repair, MakesAnyDamagedSurfaceValid) {
+TEST(RepairSlow, MakesAnyDamagedSurfaceValid) {
   for (unsigned seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);

@@ -36,6 +36,7 @@ Report sampleReport() {
   report.fieldNodes = 90;
   report.finestCell = 0.25;
   report.seconds = {{"check", 0.5}, {"sweep", 1}, {"check", 0.25}};
+  report.predictedSeconds = 0.5;
   report.predictedMemory = 1000;
   report.triangles = 30;
   report.originalTriangles = 12;

@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "parallel_for.h"
 #include "thicken/error.h"
 
 namespace thicken {
@@ -25,21 +26,69 @@ TEST(RunContext, StartsWaitingWithNothingDone) {
 
 TEST(RunContext, CopiesAreHandlesToOneRun) {
   RunContext caller;
-  RunContext library = caller;
-  library.enter(Stage::kSweeping, 0.25, 0.5);
+  const RunContext library = caller;
+  library.enter(Stage::kSweeping, 0.25, 0.5, 10);
   EXPECT_EQ(caller.stage(), Stage::kSweeping);
   EXPECT_DOUBLE_EQ(caller.progress(), 0.25);
+  library.count(3);
+  EXPECT_EQ(caller.counted(), 3u);
   caller.cancel();
   EXPECT_TRUE(library.cancelled());
 }
 
-TEST(RunContext, AdvanceMovesWithinTheShareOfTheStage) {
+TEST(RunContext, WorkMovesWithinTheShareOfTheStage) {
+  const RunContext context;
+  context.enter(Stage::kChecking, 0.2, 0.6, 100);
+  context.count(50);
+  EXPECT_DOUBLE_EQ(context.progress(), 0.2 + 0.4 * 0.75 / 2) << "linear as far as the work was expected";
+  context.count(50);
+  EXPECT_DOUBLE_EQ(context.progress(), 0.2 + 0.4 * 0.75);
+  double last = context.progress();
+  for (int i = 0; i < 30; ++i) {
+    context.count(100);  // thirty times as much
+    EXPECT_GT(context.progress(), last);
+    EXPECT_LT(context.progress(), 0.6);
+    last = context.progress();
+  }
+}
+
+TEST(RunContext, AStageWithoutAShareIsAPartOfTheLast) {
+  const RunContext context;
+  context.enter(Stage::kSweeping, 0, 0.5, 100);
+  context.count(100);
+  const double before = context.progress();
+  context.enter(Stage::kJoining);
+  EXPECT_EQ(context.stage(), Stage::kJoining);
+  EXPECT_EQ(context.progress(), before);
+  context.count(1);
+  EXPECT_GT(context.progress(), before);
+}
+
+TEST(RunContext, AStageThatComesAgainMovesInWhatRemains) {
+  const RunContext context;
+  context.enter(Stage::kMeasuring, 0.8, 1, 10);
+  context.count(10);
+  const double before = context.progress();
+  context.enter(Stage::kSweeping, 0.2, 0.6, 10);
+  EXPECT_EQ(context.progress(), before);
+  context.count(1);
+  EXPECT_GT(context.progress(), before);
+  context.count(1000);
+  EXPECT_LT(context.progress(), before + (1 - before) / 2);
+}
+
+TEST(RunContext, TheRunIsAPartOfTheCallers) {
   RunContext context;
-  context.enter(Stage::kChecking, 0.2, 0.4);
-  context.advance(0.5);
-  EXPECT_DOUBLE_EQ(context.progress(), 0.3);
-  context.advance(7);
-  EXPECT_DOUBLE_EQ(context.progress(), 0.4);
+  context.enter(Stage::kReading, 0, 0.1, 0);
+  context.setPart(0.1, 0.9);
+  EXPECT_DOUBLE_EQ(context.progress(), 0.1);
+  context.enter(Stage::kSweeping, 0.5, 1, 10);
+  EXPECT_DOUBLE_EQ(context.progress(), 0.5);
+  context.enter(Stage::kDone, 1, 1, 0);
+  EXPECT_DOUBLE_EQ(context.progress(), 0.9);
+  context.setPart(0.9, 1);
+  context.enter(Stage::kWriting, 0.5, 1, 0);
+  EXPECT_DOUBLE_EQ(context.progress(), 0.95);
 }
 
 TEST(RunContext, ProgressNeverGoesDown) {
@@ -50,22 +99,28 @@ TEST(RunContext, ProgressNeverGoesDown) {
     EXPECT_LE(context.progress(), 1);
     last = context.progress();
   };
-  context.enter(Stage::kSweeping, 0.5, 0.6);
+  context.count(10);  // before any stage
   expectNotLower();
-  context.advance(1);
+  context.enter(Stage::kSweeping, 0.5, 0.6, 10);
   expectNotLower();
-  context.advance(0.1);
+  context.count(1000);
   expectNotLower();
-  context.enter(Stage::kAuditing, 0.1, 0.2);
+  context.enter(Stage::kAuditing, 0.1, 0.2, std::numeric_limits<double>::quiet_NaN());
   expectNotLower();
-  context.advance(std::numeric_limits<double>::quiet_NaN());
+  context.count();
   expectNotLower();
-  context.enter(Stage::kDone, 2, 3);
+  context.enter(Stage::kAuditing, std::numeric_limits<double>::quiet_NaN(), 0.3, -1);
+  expectNotLower();
+  context.setPart(0.2, 0.1);
+  expectNotLower();
+  context.setPart(0, 1);
+  context.enter(Stage::kDone, 2, 3, 0);
   expectNotLower();
   EXPECT_EQ(last, 1);
 }
 
 TEST(RunContext, ProgressNeverGoesDownForAPollingThread) {
+  constexpr int kWorkers = 3, kUnits = 20000;
   RunContext context;
   std::atomic<bool> done{false};
   std::atomic<int> drops{0};
@@ -78,16 +133,23 @@ TEST(RunContext, ProgressNeverGoesDownForAPollingThread) {
     }
   });
   std::vector<std::thread> workers;
-  context.enter(Stage::kSweeping, 0, 1);
-  for (int k = 0; k < 3; ++k)
-    workers.emplace_back([context]() mutable {
-      for (int i = 0; i <= 20000; ++i) context.advance(i / 20000.0);
+  context.enter(Stage::kSweeping, 0, 1, kWorkers * kUnits);
+  for (int k = 0; k < kWorkers; ++k)
+    workers.emplace_back([context] {
+      for (int i = 0; i < kUnits; ++i) context.count();
     });
   for (std::thread& worker : workers) worker.join();
   done = true;
   poller.join();
   EXPECT_EQ(drops, 0);
-  EXPECT_EQ(context.progress(), 1);
+  EXPECT_EQ(context.counted(), std::size_t{kWorkers * kUnits});
+  EXPECT_DOUBLE_EQ(context.progress(), 0.75);
+}
+
+TEST(ParallelFor, CountsItsBlocks) {
+  const RunContext context;
+  parallelFor(1000, 2, context, 64, [](std::size_t) {});
+  EXPECT_EQ(context.counted(), 16u);
 }
 
 TEST(RunContext, ThrowsOnceCancelled) {

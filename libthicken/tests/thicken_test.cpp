@@ -127,7 +127,7 @@ std::vector<Known> knownVolumes() {
   return all;
 }
 
-TEST(Thicken, GivesTheKnownVolumeOnBothSides) {
+TEST(ThickenSlow, GivesTheKnownVolumeOnBothSides) {
   for (const Known& k : knownVolumes()) {
     SCOPED_TRACE(k.name);
     const Solid behind = thicken(k.surface, by(k.r));

@@ -14,7 +14,7 @@ import Mesh
 from PySide import QtCore, QtGui
 
 from ThickenWorkbench import mesh_io
-from gui_case import GuiCase, click, process_events, type_text, wait_until
+from gui_case import GuiCase, process_events, type_text, wait_until
 from thicken_surfaces import grid, saddle
 
 FREECADCMD = os.environ.get("FREECADCMD") or shutil.which("freecadcmd") or shutil.which("FreeCADCmd")

@@ -12,7 +12,7 @@ from gui_case import GuiCase, process_events, wait_until
 from thicken_surfaces import plate, saddle
 
 # Learned by the program, not set by the user.
-NOT_ON_THE_PAGE = {"SecondsPerTriangle"}
+NOT_ON_THE_PAGE = {"TimesForecast"}
 
 
 def entries() -> dict:

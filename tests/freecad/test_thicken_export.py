@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The way to the printer: the exported STL, judged without FreeCAD and without the library."""
 
-import unittest
-
 import Mesh
 
 import ThickenWorkbench

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The parametric feature: what it makes, and what makes it recompute."""
 
-import unittest
 from unittest import mock
 
 import FreeCAD as App

@@ -177,10 +177,7 @@ class Feature(DocumentCase):
         self.assertAlmostEqual(solid.Shape.Volume, 400, places=6)
 
 
-class Speed(DocumentCase):
-    def test_beside_sewing(self):
-        """At least five times as fast as sewing, both timed here and now, the best of three. Sewing falls back further
-        with the number of facets: bench_part_solid.py compares them at 20 000."""
-        facets, ours, theirs = map(min, zip(*(compare(facets=3500) for _ in range(3))))
-        self.assertGreater(facets, 3000)
-        self.assertGreater(theirs, 5 * ours)
+class Benchmark(DocumentCase):
+    def test_it_compares_the_same_solid(self):
+        """compare() throws where sewing makes another volume. How much faster we are is for the benchmark to tell."""
+        self.assertGreater(compare(facets=1000)[0], 1000)

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import ThickenWorkbench
 from ThickenWorkbench import prediction, preferences
+from ThickenWorkbench.arrays import SurfaceSize, size_of
 from thicken_case import DocumentCase
 from thicken_surfaces import saddle
 
@@ -14,28 +15,41 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 class Forecast(DocumentCase):
+    size = SurfaceSize(10_000, 400.0, 30.0)
+
     def setUp(self):
         super().setUp()
-        self.addCleanup(preferences.put, "SecondsPerTriangle", preferences.get("SecondsPerTriangle"))
+        self.addCleanup(preferences.put, "TimesForecast", preferences.get("TimesForecast"))
+        preferences.put("TimesForecast", 1.0)
 
-    def test_memory_is_the_librarys_own_forecast(self):
+    def test_it_is_the_librarys_own(self):
         for side in ("negative", "positive", "both"):
             solid = ThickenWorkbench.thicken_mesh(*saddle(), 1.0, side=side)
-            forecast = prediction.forecast(len(saddle()[1]), side)
-            self.assertEqual(forecast.bytes, solid.report["memory"]["predicted_bytes"])
+            told = prediction.forecast([size_of(*saddle())], {"thickness": 1.0, "side": side})
+            self.assertLessEqual(told.bytes, solid.report["memory"]["predicted_bytes"])
+            self.assertAlmostEqual(told.seconds / solid.report["predicted_seconds"], 1)
+
+    def test_it_goes_with_area_thickness_and_cells(self):
+        def seconds(size=self.size, **arguments):
+            return prediction.forecast([size], {"thickness": 1.0, **arguments}).seconds
+
+        self.assertGreater(seconds(size=self.size._replace(triangles=20_000)), seconds())
+        self.assertGreater(seconds(method="reconstruct", size=self.size._replace(area=800.0)), seconds(method="reconstruct"))
+        self.assertGreater(seconds(method="reconstruct", thickness=0.5), seconds(method="reconstruct"))
+        self.assertGreater(seconds(method="reconstruct", cell=0.05), seconds(method="reconstruct", cell=0.1))
+        self.assertGreater(seconds(method="reconstruct", resolution=512), seconds(method="reconstruct", resolution=256))
 
     def test_time_follows_the_runs(self):
-        preferences.put("SecondsPerTriangle", 1e-4)
-        self.assertAlmostEqual(prediction.forecast(10_000, "negative").seconds, 1)
+        arguments = {"thickness": 1.0}
+        before = prediction.forecast([self.size], arguments).seconds
         for _ in range(30):
-            prediction.learn(10_000, "negative", 5.0)
-        self.assertAlmostEqual(prediction.forecast(10_000, "negative").seconds, 5, delta=0.1)
-        self.assertAlmostEqual(prediction.forecast(10_000, "both").seconds, 7.5, delta=0.1)
+            prediction.learn(self.size, arguments, 5 * before)
+        self.assertAlmostEqual(prediction.forecast([self.size], arguments).seconds / before, 5, delta=0.1)
+        self.assertAlmostEqual(prediction.forecast([self.size, self.size], arguments).seconds / before, 10, delta=0.2)
 
     def test_tiny_runs_teach_nothing(self):
-        before = preferences.get("SecondsPerTriangle")
-        prediction.learn(10, "negative", 3.0)
-        self.assertEqual(preferences.get("SecondsPerTriangle"), before)
+        prediction.learn(self.size._replace(triangles=10), {"thickness": 1.0}, 3.0)
+        self.assertEqual(preferences.get("TimesForecast"), 1.0)
 
     def test_sentences_are_short(self):
         shown = [prediction.Forecast(seconds, 123_456_789).sentence() for seconds in (0.042, 12.3, 600)]

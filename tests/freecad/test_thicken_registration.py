@@ -3,7 +3,6 @@
 
 import sys
 import types
-import unittest
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 from unittest import mock

@@ -86,6 +86,24 @@ class Refusal(ProgramCase):
                 self.assert_fails(self.run_program("check", "in.off"), 3, code)
                 self.assert_leaves({"in.off"})
 
+    def test_a_refusal_names_the_option_that_may_help(self):
+        for code in ("not-manifold", "not-oriented", "degenerate", "self-intersecting"):
+            with self.subTest(code):
+                write_off(self.folder / "in.off", DEFECTIVE[code])
+                for arguments in (("in.off", "out.stl", "--thickness", 1), ("check", "in.off")):
+                    self.assertIn("; --repair mends", self.assert_fails(self.run_program(*arguments), 3, code))
+        write_off(self.folder / "in.off", wave(10, height=4))
+        run = self.run_program("in.off", "out.stl", "--thickness", 2, "--tolerance", 1e-9)
+        self.assertNotIn("--repair", self.assert_fails(run, 4, "no-solid"), "where no repair helps")
+
+    def test_a_refusal_names_the_distance_that_rims_are_apart(self):
+        """The square and another beside it with a gap of 0.003, and a sheet that crosses it."""
+        beside = [(4.003, 0, 0), (8, 0, 0), (8, 4, 0), (4.003, 4, 0), (6, 1, -1), (6, 3, -1), (6, 2, 1)]
+        write_off(self.folder / "in.off", with_extra(beside, [(4, 5, 6), (4, 6, 7), (8, 9, 10)]))
+        for arguments in (("in.off", "out.stl", "--thickness", 1), ("check", "in.off")):
+            sentence = self.assert_fails(self.run_program(*arguments), 3, "self-intersecting")
+            self.assertRegex(sentence, r"corners of rims lie within 0\.003\d* mm of another rim: --repair --weld 0\.003")
+
     def test_quiet_keeps_the_last_line_only(self):
         write_off(self.folder / "in.off", DEFECTIVE["not-manifold"])
         run = self.run_program("in.off", "out.stl", "--thickness", 1, "--quiet")

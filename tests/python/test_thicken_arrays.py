@@ -14,7 +14,9 @@ from ThickenWorkbench import (
     RunContext,
     ThickenError,
     check_mesh,
+    forecast_mesh,
     read_mesh,
+    size_of,
     thicken_mesh,
     weld_mesh,
     write_mesh,
@@ -33,6 +35,18 @@ class Result(unittest.TestCase):
                 self.assertTrue(is_closed_and_oriented(corners))
                 self.assertTrue(keeps(corners, vertices[triangles], reversed_sense=side == "positive"))
                 self.assertAlmostEqual(volume(corners), solid.report["output"]["volume_mm3"], places=6)
+
+    def test_is_forecast(self):
+        surface = saddle()
+        for side in ("negative", "both"):
+            seconds, most = forecast_mesh(size_of(*surface), 2, side=side, threads=1)
+            report = thicken_mesh(*surface, 2, side=side, threads=1).report
+            self.assertAlmostEqual(seconds / report["predicted_seconds"], 1)
+            self.assertLessEqual(most, report["memory"]["predicted_bytes"])
+        self.assertGreater(forecast_mesh(size_of(*surface), 1, method="reconstruct", cell=0.1)[0],
+                           forecast_mesh(size_of(*surface), 1, method="reconstruct", cell=0.2)[0])  # fmt: skip
+        with self.assertRaises(ValueError):
+            forecast_mesh(size_of(*surface), 2, side="left")
 
     def test_types_and_shapes(self):
         vertices, triangles = plate()

@@ -68,6 +68,7 @@ struct Report {
   std::size_t fieldCells = 0, fieldNodes = 0;  ///< of the grid, that the field was needed at
   int threads = 0;
   std::vector<std::pair<std::string, double>> seconds;  ///< stage, seconds; in order
+  double predictedSeconds = 0;                          ///< of one processor: forecast()
   std::size_t predictedMemory = 0;                      ///< bytes
   std::size_t peakMemory = 0;                           ///< bytes, of the process
 

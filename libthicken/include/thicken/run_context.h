@@ -47,12 +47,22 @@ class RunContext {
   void setMemoryLimit(std::size_t bytes) noexcept;
   [[nodiscard]] std::size_t memoryLimit() const noexcept;
 
-  // --- for the library's own stages ---
+  /// What the run counts as its whole progress is the part [begin, end] of the caller's.
+  void setPart(double begin, double end) noexcept;
 
-  /// Enters a stage; `share` in [0, 1] is the progress at its beginning, `end` at its end.
-  void enter(Stage stage, double share, double end) noexcept;
-  /// Share of the current stage that is done, in [0, 1].
-  void advance(double part) noexcept;
+  // --- for the library's own stages ---
+  // The progress is made of work that is counted, not of time. How much a stage takes is an estimate: the
+  // first three quarters of its part are linear in the work that was done, the rest comes ever more slowly.
+
+  /// Enters a stage, which is the part [begin, end] of the run and takes about `work` units. Where the run
+  /// has come farther already, as when something is tried once more, it is a like part of what remains.
+  void enter(Stage stage, double begin, double end, double work) const noexcept;
+  /// Enters a stage that is a part of the last one that was entered with its share.
+  void enter(Stage stage) const noexcept;
+  /// Tells that units of work are done. A block of a parallel loop is one: parallelFor() counts them.
+  void count(std::size_t units = 1) const noexcept;
+  /// Units that were counted since the handle was made.
+  [[nodiscard]] std::size_t counted() const noexcept;
   /// Throws Error(kCancelled) once cancel() was called.
   void throwIfCancelled() const;
   /// Throws Error(kMemoryLimit) when `bytes` exceed the limit; the sentence names both and `remedy`.

@@ -14,6 +14,7 @@
 #include "thicken/closest_point.h"
 #include "thicken/drain.h"
 #include "thicken/error.h"
+#include "thicken/forecast.h"
 #include "thicken/inspect.h"
 #include "thicken/io.h"
 #include "thicken/mesh.h"

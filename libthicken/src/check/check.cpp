@@ -205,7 +205,6 @@ CheckResult check(const TriangleMesh& mesh, RunContext context, int threads) {
   const std::vector<VertexId> unfit = verticesOutOfDomain(mesh);
   const bool finite = unfit.empty();
   const BadTriangles bad = badTriangles(mesh, finite, context, threads);
-  context.advance(0.2);
   {
     const HalfEdges edges(mesh.positions.size(), mesh.triangles, bad.joined, threads);
     context.throwIfCancelled();
@@ -218,15 +217,12 @@ CheckResult check(const TriangleMesh& mesh, RunContext context, int threads) {
       result.defects.push_back(notManifold(mesh, edges, joints));
     if (!joints.sameSense.empty()) result.defects.push_back(notOriented(mesh, edges, joints));
   }
-  context.advance(0.4);
   if (finite && !mesh.triangles.empty()) {
     context.throwIfCancelled();
     const exact::PairSearch search(mesh, exact::PairSearch::kAll, threads, bad.proper);
-    context.advance(0.6);
     const Meetings meetings = meetingsOf(search, context, threads);
     if (meetings.count > 0) result.defects.push_back(selfIntersecting(mesh, meetings));
   }
-  context.advance(1);
   return result;
 }
 

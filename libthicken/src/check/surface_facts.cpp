@@ -24,6 +24,15 @@ std::size_t loopsOf(std::size_t vertexCount, const std::vector<Edge>& rim) {
   return loops;
 }
 
+}  // namespace
+
+bool isFinite(const Vec3& p) {
+  constexpr double kLargest = std::numeric_limits<float>::max();
+  for (int k = 0; k < 3; ++k)
+    if (!(std::abs(p[k]) <= kLargest)) return false;
+  return true;
+}
+
 void addSizes(const TriangleMesh& mesh, SurfaceFacts& facts) {
   Eigen::AlignedBox3d box;
   double edges = 0;
@@ -35,15 +44,6 @@ void addSizes(const TriangleMesh& mesh, SurfaceFacts& facts) {
   }
   facts.diagonal = box.diagonal().norm();
   facts.meanEdge = edges / (3.0 * static_cast<double>(mesh.triangles.size()));
-}
-
-}  // namespace
-
-bool isFinite(const Vec3& p) {
-  constexpr double kLargest = std::numeric_limits<float>::max();
-  for (int k = 0; k < 3; ++k)
-    if (!(std::abs(p[k]) <= kLargest)) return false;
-  return true;
 }
 
 SurfaceFacts factsOf(const TriangleMesh& mesh, const BadJoints& joints, bool finite, int threads) {

@@ -16,4 +16,7 @@ namespace thicken {
 [[nodiscard]] SurfaceFacts factsOf(const TriangleMesh& mesh, const BadJoints& joints, bool finite,
                                    int threads);
 
+/// Adds area, diagonal and mean edge; `mesh` has triangles.
+void addSizes(const TriangleMesh& mesh, SurfaceFacts& facts);
+
 }  // namespace thicken

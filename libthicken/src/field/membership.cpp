@@ -9,8 +9,9 @@ namespace thicken {
 
 namespace {
 
-// That a piece of shell may be off by, in r: the space between it and the thickness is neither material
-// before it nor a void behind it, where a contour would be a second layer.
+// That a piece of shell may be off by, in r, twice what one is kept with (shell_plan.h): the space between it
+// and the thickness is neither material before it nor a void behind it, where a contour would be a second
+// layer. docs/limits.md tells what that means for the solid.
 constexpr double kOff = 0.02;
 
 bool behind(const Vec3& p, const ClosestPoint& c) {

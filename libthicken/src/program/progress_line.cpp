@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "program/progress_line.h"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <chrono>
-#include <iomanip>
+#include <cmath>
 #include <iostream>
+#include <string>
 #include <system_error>
 #include <utility>
 
@@ -13,6 +15,7 @@ namespace thicken::program {
 namespace {
 
 constexpr std::chrono::milliseconds kInterval{100};
+constexpr double kWorthTelling = 2;  // seconds
 constexpr const char* kWipeLine = "\r\x1b[K";
 
 }  // namespace
@@ -39,8 +42,12 @@ ProgressLine::~ProgressLine() {
 void ProgressLine::show() {
   std::unique_lock lock(mutex_);
   while (!wake_.wait_for(lock, kInterval, [this] { return ended_; })) {
-    std::cerr << kWipeLine << std::setw(3) << static_cast<int>(100 * context_.progress()) << " % "
-              << name(context_.stage()) << std::flush;
+    // A tenth of a percent, so that a long run is seen to move.
+    const double percent = std::floor(1000 * context_.progress()) / 10;
+    const std::string told =
+        expected_ >= kWorthTelling ? fmt::format(", about {:.0f} s in all", expected_.load()) : "";
+    std::cerr << kWipeLine << fmt::format("{:5.1f} % {}{}", percent, name(context_.stage()), told)
+              << std::flush;
   }
   std::cerr << kWipeLine << std::flush;
 }

@@ -3,6 +3,7 @@
 // A line on the terminal that shows how far a run is.
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <mutex>
 #include <thread>
@@ -20,6 +21,9 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
+  /// From now on the line also tells how long the whole run is likely to take, if that is worth telling.
+  void expect(double seconds) { expected_ = seconds; }
+
  private:
   void show();
 
@@ -27,6 +31,7 @@ class ProgressLine {
   std::mutex mutex_;
   std::condition_variable wake_;
   bool ended_ = false;
+  std::atomic<double> expected_{0};  ///< seconds
   std::thread thread_;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "program/run.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <iostream>
 #include <new>
@@ -23,15 +25,63 @@ constexpr double kWriteShare = 0.98;
 // `warnings`: what was passed over in the file is added to them.
 TriangleMesh readSurface(const Arguments& arguments, RunContext& context,
                          std::vector<std::string>& warnings) {
-  context.enter(Stage::kReading, 0, kReadShare);
+  context.enter(Stage::kReading, 0, kReadShare, 0);
   auto [surface, passedOver] = readMeshFile(arguments.input);
   warnings.insert(warnings.end(), passedOver.begin(), passedOver.end());
   context.throwIfCancelled();
   return surface;
 }
 
+// What joins rims that are near each other; nothing where none are.
+std::string joinOf(const NearRims& near) {
+  if (near.corners == 0) return {};
+  // rounded up, so that a weld over what is printed reaches them all
+  const double unit = std::pow(10, std::floor(std::log10(near.distance)) - 2);
+  const double distance = std::ceil(near.distance / unit) * unit;
+  return fmt::format(
+      "{0} corners of rims lie within {1:.6g} mm of another rim: --repair --weld {1:.6g} joins them",
+      near.corners, distance);
+}
+
+// Whether a repair looks for what the surface was refused for.
+bool isForRepair(const Error& error) {
+  switch (error.code()) {
+    case ErrorCode::kNotManifold:
+    case ErrorCode::kNotOriented:
+    case ErrorCode::kDegenerate:
+    case ErrorCode::kSelfIntersecting:
+      return true;
+    case ErrorCode::kNoSolid:  // folds that no wall fits below are opened
+      return !error.defects().empty() && !error.defects().front().vertices.empty();
+    default:
+      return false;
+  }
+}
+
+// The same with the option that may help.
+Error withRemedy(const Error& error, const NearRims& near) {
+  const std::string join = joinOf(near);
+  Error told(
+      error.code(),
+      fmt::format("{}; {}", error.what(),
+                  join.empty() ? "--repair mends such places where it can, and reports every change" : join),
+      error.defects());
+  if (error.input()) told.setInput(*error.input());
+  return told;
+}
+
+// thicken(), whose refusals say what of this program may help.
+Solid thickenOrAdvise(const TriangleMesh& surface, const Options& options, const RunContext& context) {
+  try {
+    return thicken(surface, options, context);
+  } catch (const Error& error) {
+    if (options.repair || !isForRepair(error)) throw;
+    throw withRemedy(error, nearRims(weld(surface), context, options.threads));
+  }
+}
+
 Solid makeSolid(const Arguments& arguments, RunContext& context, std::vector<std::string>& warnings) {
-  const ProgressLine line(context, arguments.quiet);
+  ProgressLine line(context, arguments.quiet);
   Stopwatch reading;
   const TriangleMesh surface = readSurface(arguments, context, warnings);
   reading.lap("read");
@@ -40,9 +90,12 @@ Solid makeSolid(const Arguments& arguments, RunContext& context, std::vector<std
   // The repaired surface has to be found in the solid bit for bit, whatever either file stores.
   if (!arguments.repaired.empty() && storedPrecision(arguments.repaired) == Precision::kSingle)
     options.precision = Precision::kSingle;
-  Solid solid = thicken(surface, options, context);
+  line.expect(forecast(sizesOf(surface), options).seconds);
+  context.setPart(kReadShare, kWriteShare);
+  Solid solid = thickenOrAdvise(surface, options, context);
   context.throwIfCancelled();
-  context.enter(Stage::kWriting, kWriteShare, 1);
+  context.setPart(kWriteShare, 1);
+  context.enter(Stage::kWriting, 0, 1, 0);
   Stopwatch writing;
   if (!arguments.repaired.empty()) writeMesh(arguments.repaired, *solid.repaired);
   writeMesh(arguments.output, solid.mesh);
@@ -58,7 +111,7 @@ CheckResult checkSurface(const Arguments& arguments, RunContext& context,
                          std::vector<std::string>& warnings) {
   const ProgressLine line(context, arguments.quiet);
   const TriangleMesh surface = readSurface(arguments, context, warnings);
-  context.enter(Stage::kChecking, kReadShare, 1);
+  context.enter(Stage::kChecking, kReadShare, 1, 0);
   CheckResult result = check(surface, context, arguments.options.threads);
   result.nearRims = nearRims(surface, context, arguments.options.threads);
   result.warnings = warnings;
@@ -70,15 +123,6 @@ void printSummary(const Arguments& arguments, const Report& report) {
             << report.volume / 1000 << " mL, thinnest wall " << report.thinnestWall << " of "
             << report.thickness << " mm"
             << (report.parts > 1 ? ", " + std::to_string(report.parts) + " parts" : "") << '\n';
-}
-
-void printNearRims(const NearRims& near) {
-  if (near.corners == 0) return;
-  // rounded up, so that a weld over what is printed reaches them all
-  const double unit = std::pow(10, std::floor(std::log10(near.distance)) - 2);
-  const double distance = std::ceil(near.distance / unit) * unit;
-  std::cout << near.corners << " corners on rims are up to " << distance
-            << " mm from another rim: --repair --weld " << distance << " would join them\n";
 }
 
 void printSummary(const Arguments& arguments, const SurfaceFacts& facts) {
@@ -144,13 +188,15 @@ void runCheck(const Arguments& arguments, RunContext context) {
     result = checkSurface(arguments, context, warnings);
   });
   writeReport(arguments, toJson(result));
-  if (!arguments.quiet && result.nearRims) printNearRims(*result.nearRims);
   printWarnings(arguments, result.warnings);
   if (!result.valid()) {
     const Defect& first = result.defects.front();
-    throw Error(first.code, first.sentence, result.defects);
+    const Error error(first.code, first.sentence, result.defects);
+    throw isForRepair(error) ? withRemedy(error, *result.nearRims) : error;
   }
-  if (!arguments.quiet) printSummary(arguments, result.facts);
+  if (arguments.quiet) return;
+  if (const std::string join = joinOf(*result.nearRims); !join.empty()) std::cout << join << '\n';
+  printSummary(arguments, result.facts);
 }
 
 }  // namespace thicken::program

@@ -43,6 +43,7 @@ Attempt::Attempt(const TriangleMesh& surface, const ClosestPointTree& tree, cons
       threads_(threads) {}
 
 std::vector<TriangleId> Attempt::run(std::span<const std::uint8_t> keep, Stopwatch& watch) {
+  context_.enter(Stage::kField);
   walls_.fit(keep);
   Carrier carrier = makeCarrier(swept_, walls_.positions(), walls_.up(), surface_.triangles.size(), keep,
                                 width_, cut_, threads_);
@@ -54,10 +55,12 @@ std::vector<TriangleId> Attempt::run(std::span<const std::uint8_t> keep, Stopwat
   // How many crossings there are was an estimate until now.
   working_ = requireRoomForField(surface_, contour.crossings.size(), options_.thickness, width_, context_);
   if (working_.isLean) returnFreedMemory();
+  context_.enter(Stage::kJoining);
   assembly_ = assemble(carrier, contour.dual, contour.crossings, contour.ways, threads_);
   dropSpecks(assembly_, width_, threads_);
   if (working_.isLean) returnFreedMemory();
   watch.lap("faces");
+  context_.enter(Stage::kShaping);
   const int rounds = options_.smooth.value_or(kDefaultRounds);
   const std::vector<Vec3> target = shapedPositions(assembly_, contour.dual, contour.crossings, membership,
                                                    width_, rounds, context_, threads_);

@@ -115,6 +115,7 @@ Contour Contourer::attempt(const Carrier& carrier, const Membership& membership,
                                  context_, threads_);
   if (working_.isLean) returnFreedMemory();
   watch.lap("field");
+  context_.enter(Stage::kContouring);
   made.dual = dualSurface(made.crossings, made.ways, carrier.mesh.positions, threads_);
   return made;
 }

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "thicken/forecast.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "check/surface_facts.h"
+#include "parallel_for.h"
+#include "plan.h"
+#include "reconstruct/working_set.h"
+
+namespace thicken {
+
+namespace {
+
+// How many times as fast as one thread so many are.
+double speedup(int threads) {
+  constexpr double kShared = 0.88;  // of the work, as two threads take it (docs/performance.md)
+  return 1 / (1 - kShared + kShared / threadCount(threads));
+}
+
+}  // namespace
+
+SurfaceFacts sizesOf(const TriangleMesh& surface) {
+  SurfaceFacts facts;
+  facts.triangles = surface.triangles.size();
+  facts.vertices = surface.positions.size();
+  if (!surface.triangles.empty()) addSizes(surface, facts);
+  return facts;
+}
+
+Forecast forecast(const SurfaceFacts& surface, const Options& options) noexcept {
+  // Seconds of one thread: fitted to runs over every third surface of the test corpus, 1 and 3 % of the
+  // diagonal thick, and to those of docs/performance.md.
+  constexpr double kSecondsPerTriangle = 34e-6, kSecondsPerCrossing = 9e-6;
+  // Bytes, measured over the same with a margin: positions, triangles, the two trees, adjacency, the audit's
+  // edge table; and where there is a contour, a second boundary.
+  constexpr std::size_t kBytesPerTriangle = 1500, kBesideContour = 900, kBase = std::size_t{16} << 20;
+  const std::size_t shells = options.side == Side::kBoth ? 2 : 1;
+  const std::size_t swept = surface.triangles * (1 + shells) / 2;
+  const double crossings = predictedCrossings(surface, options);
+  Forecast told;
+  told.leastBytes = kBase + kBytesPerTriangle * swept;
+  told.bytes = told.leastBytes + wholeBytes(static_cast<std::size_t>(crossings)) +
+               (crossings > 0 ? kBesideContour * surface.triangles : 0);
+  told.seconds = (kSecondsPerTriangle * static_cast<double>(swept) + kSecondsPerCrossing * crossings) /
+                 speedup(options.threads);
+  return told;
+}
+
+}  // namespace thicken
