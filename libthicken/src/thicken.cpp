@@ -101,6 +101,7 @@ void proveOrThrow(Solid& solid, const TriangleMesh& surface, Side side, const Ru
 struct Known {
   std::optional<SurfaceFacts> input;
   std::optional<RepairFacts> repair;
+  std::size_t predictedMemory = 0;
 };
 
 // The surface to thicken: valid as it is or, where that is asked for, repaired.
@@ -183,6 +184,7 @@ bool leavesTheSweep(const Error& e) {
 Fallback fallbackFor(const Error& e, std::string stage, const TriangleMesh& surface) {
   Fallback fallback{std::move(stage), e.what(), Vec3::Zero(), areaOf(surface)};
   if (!e.defects().empty()) fallback.place = e.defects().front().place;
+  fallback.enoughMemory = e.enoughMemory();
   return fallback;
 }
 
@@ -324,6 +326,7 @@ Solid thickenKnown(const TriangleMesh& input, const Options& options, RunContext
   context.enter(Stage::kChecking, 0, kChecked);
   TriangleMesh given = stored(input, options.precision, threads);
   const std::size_t predicted = predictedBytes(given, options);
+  known.predictedMemory = predicted;
   context.reserve(predicted, "thicken a part of the surface at a time, or simplify it first");
   RepairResult surface = validSurface(std::move(given), options, context, threads, watch, known);
   requireRoom(surface.mesh, options);
@@ -333,6 +336,9 @@ Solid thickenKnown(const TriangleMesh& input, const Options& options, RunContext
   Solid solid = solidOfRepaired(surface, options, context, threads, watch, known);
   solid.report.predictedMemory = std::max(solid.report.predictedMemory, predicted);
   solid.report.peakMemory = peakMemory();
+  solid.report.enoughMemory = std::max(solid.report.predictedMemory, solid.report.peakMemory);
+  for (const Fallback& f : solid.report.fallbacks)
+    solid.report.enoughMemory = std::max(solid.report.enoughMemory, f.enoughMemory);
   solid.report.seconds = watch.laps();
   if (options.repair) {
     solid.report.repair = known.repair;
@@ -358,6 +364,7 @@ Solid thicken(const TriangleMesh& surface, const Options& options, RunContext co
   } catch (Error& error) {
     if (known.input) error.setInput(*known.input);
     if (known.repair) error.setRepair(std::move(*known.repair));
+    error.setEnoughMemory(std::max({error.enoughMemory(), known.predictedMemory, peakMemory()}));
     throw;
   }
 }

@@ -47,13 +47,17 @@ class RunContext {
   void setMemoryLimit(std::size_t bytes) noexcept;
   [[nodiscard]] std::size_t memoryLimit() const noexcept;
 
+  /// Seconds that the run may take from now on; 0: no limit. Set it before the run, which then ends with
+  /// ErrorCode::kTimeLimit as soon after that as it would end when cancelled.
+  void setTimeLimit(double seconds) noexcept;
+
   // --- for the library's own stages ---
 
   /// Enters a stage; `share` in [0, 1] is the progress at its beginning, `end` at its end.
   void enter(Stage stage, double share, double end) noexcept;
   /// Share of the current stage that is done, in [0, 1].
   void advance(double part) noexcept;
-  /// Throws Error(kCancelled) once cancel() was called.
+  /// Throws Error(kCancelled) once cancel() was called, and Error(kTimeLimit) once the time limit is over.
   void throwIfCancelled() const;
   /// Throws Error(kMemoryLimit) when `bytes` exceed the limit; the sentence names both and `remedy`.
   void reserve(std::size_t bytes, std::string_view remedy) const;
