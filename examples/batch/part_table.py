@@ -165,9 +165,12 @@ def made_of(part: Part, version: str) -> list[Any]:
 
 
 def is_done(part: Part, folder: Folder, version: str) -> bool:
-    """Whether the part's row, report and, if there is to be one, solid are there and belong together."""
+    """Whether the part's row, report and, if there is to be one, solid are there and belong together. What was no
+    fault of the part's, such as a full disk, is tried again."""
     row = read_json(folder.row(part.name))
     if not row.get("final") or row.get("made_of") != made_of(part, version):
+        return False
+    if row["status"] == "failed" or row["told"]["code"] == "unwritable":
         return False
     if not folder.report(part.name).is_file():
         return False

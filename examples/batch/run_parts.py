@@ -20,6 +20,8 @@ from part_table import MIB, Folder, Part, is_done, made_of, read_json, write_who
 # What a job takes beside the program, MiB: this script, with a picture in it.
 BESIDE = 200
 LAST_ATTEMPT = 3
+# The statuses of runs that something outside has ended: by a signal, and by one that the program has obeyed.
+_ENDED = (-1, 5)
 _MORE_TIME, _MORE_MEMORY = 4, 2
 
 
@@ -64,7 +66,7 @@ def _own_report(path: Path, status: int, code: str, sentence: str) -> dict[str, 
 
 def next_limits(status: int, told: dict[str, Any], limits: dict[str, Any]) -> dict[str, Any] | None:
     """Limits that may do better; nothing where none would."""
-    if status == -1:
+    if status in _ENDED:
         return {**limits, "beside": limits["beside"] * 2 + math.ceil(float(limits["memory"]))}
     enough = math.ceil((told.get("memory", {}).get("enough_bytes") or 0) / MIB)
     lacked_room = any(place["stage"] == "memory" for place in told.get("fallbacks", []))
@@ -97,7 +99,7 @@ def make(job: dict[str, Any], part: Part, folder: Folder, attempt: int, memory: 
     status, told = run(job["program"], part, folder, limits)
     more = next_limits(status, told, limits) if attempt < LAST_ATTEMPT else None
     row = {"final": more is None, "next": more, "made_of": made, "limits": limits, "told": _extract(told),
-           "status": {0: "ok", -1: "failed"}.get(status, "refused"),
+           "status": "ok" if status == 0 else "failed" if status in _ENDED else "refused",
            "runs": before.get("runs", 0) + 1 if before.get("next") else 1,
            "seconds": told.get("seconds", {}).get("total") or time.monotonic() - begun}  # fmt: skip
     if status == 0:
@@ -126,10 +128,10 @@ def _extract(told: dict[str, Any]) -> dict[str, Any]:
 def _draw(solid: Path, picture: Path) -> None:
     try:
         from part_picture import picture_of
-    except ImportError as error:  # a summary without pictures is worth having
-        print(f"batch: no pictures: {error}", flush=True)
-        return
-    write_whole(picture, picture_of(solid))
+
+        write_whole(picture, picture_of(solid))
+    except (ImportError, ValueError, OSError, MemoryError) as error:  # a summary without it is worth having
+        print(f"batch: no picture of {solid.name}: {error}", flush=True)
 
 
 def main(job_file: str, attempt: int, memory: int) -> int:

@@ -91,6 +91,7 @@ thead th {{ position: sticky; top: 0; background: #fff; }}
 th button {{ font: inherit; font-weight: 600; border: 0; background: none; padding: 0; cursor: pointer; }}
 th[aria-sort=ascending] button::after {{ content: " ▲"; }}
 th[aria-sort=descending] button::after {{ content: " ▼"; }}
+td.t {{ max-width: 28em; overflow-wrap: break-word; }}
 td.n {{ text-align: right; font-variant-numeric: tabular-nums; }}
 tr.refused {{ background: #fff6e5; }} tr.failed {{ background: #fde8e8; }}
 img {{ width: 120px; height: 90px; display: block; }}

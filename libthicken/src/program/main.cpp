@@ -28,7 +28,7 @@ int run(int argc, const char* const* argv, bool& quiet) {
   RunContext context;
   context.setMemoryLimit(request.arguments->memoryLimit);
   context.setTimeLimit(request.arguments->timeLimit);
-  request.arguments->limitGiven ? returnFreedArrays() : keepFreedMemory();
+  request.arguments->limitGiven ? returnFreedArrays(request.arguments->memoryLimit) : keepFreedMemory();
   cancelOnInterrupt(context);
   request.arguments->command == Command::kCheck ? runCheck(*request.arguments, context)
                                                 : runThicken(*request.arguments, context);
