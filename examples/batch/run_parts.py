@@ -84,7 +84,7 @@ def next_limits(status: int, told: dict[str, Any], limits: dict[str, Any]) -> di
 def within(limits: dict[str, Any], memory: int) -> dict[str, Any]:
     """The limits, with no more memory than the job has."""
     try:
-        least = min(float(limits["memory"]), max(memory - limits["beside"], 1))
+        least = min(float(limits["memory"]), max(memory - BESIDE, 1))
     except ValueError:  # the program says what is wrong with it
         return limits
     return {**limits, "memory": limits["memory"] if least == float(limits["memory"]) else least}

@@ -85,7 +85,7 @@ def solids(folder: Path) -> dict[str, bytes]:
     return {path.name: path.read_bytes() for path in folder.glob("*.stl")}
 
 
-def kill_one(word: str, seconds: float = 120) -> bool:
+def kill_one(word: str, seconds: float = 600) -> bool:
     """Kills one process of the program that has this word on its command line, as soon as there is one."""
     end = time.monotonic() + seconds
     while time.monotonic() < end:
@@ -103,6 +103,7 @@ def kill_one(word: str, seconds: float = 120) -> bool:
 
 class BatchCase(unittest.TestCase):
     more: tuple[str, ...] = ("--cores", "2")
+    settings: tuple[str, ...] = ()
 
     @classmethod
     def setUpClass(cls) -> None:
@@ -116,7 +117,7 @@ class BatchCase(unittest.TestCase):
     @classmethod
     def command(cls, table: Path, out: Path, *config: str) -> list[str]:
         return ["snakemake", "-s", str(SNAKEFILE), *cls.more, "--config", f"parts={table}", f"out={out}",
-                f"program={PROGRAM}", *config]  # fmt: skip
+                f"program={PROGRAM}", *cls.settings, *config]  # fmt: skip
 
     @classmethod
     def start(cls, table: Path, out: Path, *config: str) -> subprocess.Popen:
