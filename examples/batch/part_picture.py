@@ -11,7 +11,7 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 from ThickenWorkbench.picture import draw, view_along  # noqa: E402
 
-SIZE = (120, 90)
+SIZE = (96, 72)
 _STEEL = (120, 160, 205)
 
 

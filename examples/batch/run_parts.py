@@ -103,9 +103,7 @@ def make(job: dict[str, Any], part: Part, folder: Folder, attempt: int, memory: 
            "runs": before.get("runs", 0) + 1 if before.get("next") else 1,
            "seconds": told.get("seconds", {}).get("total") or time.monotonic() - begun}  # fmt: skip
     if status == 0:
-        solid = folder.solid(part.name)
-        row["solid_bytes"] = solid.stat().st_size
-        _draw(solid, folder.picture(part.name))
+        row["solid_bytes"] = folder.solid(part.name).stat().st_size
     elif more is None:
         for left in (folder.solid(part.name), folder.picture(part.name)):
             left.unlink(missing_ok=True)
@@ -125,8 +123,11 @@ def _extract(told: dict[str, Any]) -> dict[str, Any]:
             "peak_mib": (told.get("memory", {}).get("peak_bytes") or 0) / MIB or None}  # fmt: skip
 
 
-def _draw(solid: Path, picture: Path) -> None:
+def draw(solid: Path, picture: Path) -> None:
+    """A picture of the solid, where there is none that is as new."""
     try:
+        if not solid.is_file() or (picture.is_file() and picture.stat().st_mtime >= solid.stat().st_mtime):
+            return
         from part_picture import picture_of
 
         write_whole(picture, picture_of(solid))
@@ -144,6 +145,9 @@ def main(job_file: str, attempt: int, memory: int) -> int:
         parts = [Part(*part) for part in job["parts"]]
         left = [part for part in parts if not is_done(part, folder, job["version"])]
         again = [part for part in left if not make(job, part, folder, attempt, memory)]
+        # Last of all: what this script holds then would count as memory of the programs that it starts.
+        for part in parts:
+            draw(folder.solid(part.name), folder.picture(part.name))
     if again:
         return 1
     write_whole(path.with_suffix(".done"), f"{len(parts)} parts\n")

@@ -94,7 +94,7 @@ th[aria-sort=descending] button::after {{ content: " ▼"; }}
 td.t {{ max-width: 28em; overflow-wrap: break-word; }}
 td.n {{ text-align: right; font-variant-numeric: tabular-nums; }}
 tr.refused {{ background: #fff6e5; }} tr.failed {{ background: #fde8e8; }}
-img {{ width: 120px; height: 90px; display: block; }}
+img {{ width: 96px; height: 72px; display: block; }}
 </style>
 <h1>{told}</h1>
 <p>A click on a heading sorts; the picture leads to the solid, the status to the report. The same as a table:
