@@ -13,11 +13,14 @@ class ThickenError(RuntimeError):
     defects: list[dict[str, Any]]
     input: dict[str, Any] | None
     repair: dict[str, Any] | None
+    memory: dict[str, Any] | None
+    time: dict[str, Any] | None
 
 class RunContext:
     memory_limit: int
     def __init__(self) -> None: ...
     def cancel(self) -> None: ...
+    def set_time_limit(self, seconds: float) -> None: ...
     @property
     def cancelled(self) -> bool: ...
     @property

@@ -18,6 +18,9 @@ void bindContext(py::module_& module) {
       .def_property_readonly(
           "stage", [](const RunContext& context) { return std::string(name(context.stage())); },
           "What the run is doing, such as 'checking' or 'sweeping'.")
+      .def("set_time_limit", &RunContext::setTimeLimit, py::arg("seconds"),
+           "Seconds that the run may take from now on; it ends with ThickenError, code 'time-limit'. 0: no "
+           "limit.")
       .def_property("memory_limit", &RunContext::memoryLimit, &RunContext::setMemoryLimit,
                     "Bytes that the run may take; 0: no limit. Set it before the run.");
 }

@@ -13,7 +13,8 @@ constexpr const char* kDoc =
     "What the library refuses or cannot do, as a sentence that says what to do.\n\n"
     "code: a word that programs can branch on, such as 'not-manifold' or 'no-solid'.\n"
     "defects: a list of dicts with code, sentence, count, place_mm, vertices, edges and triangles.\n"
-    "input, repair: what is known of the surface and of its repair, as in the report, or None.";
+    "input, repair: what is known of the surface and of its repair, as in the report, or None.\n"
+    "memory, time: dicts of what would have been enough, as in the report, or None.";
 
 // Lives as long as the interpreter: never released, so that no destructor runs after Python's end.
 PyObject* errorType = nullptr;
@@ -23,7 +24,7 @@ void raise(const Error& error) {
     py::object raised = py::handle(errorType)(text(error.what()));
     raised.attr("code") = std::string(name(error.code()));
     const py::object report = fromJson(toJson(error));
-    for (const char* key : {"defects", "input", "repair"}) raised.attr(key) = report[key];
+    for (const char* key : {"defects", "input", "repair", "memory", "time"}) raised.attr(key) = report[key];
     PyErr_SetObject(errorType, raised.ptr());
   } catch (py::error_already_set& failure) {
     failure.restore();
@@ -38,6 +39,8 @@ void bindError(py::module_& module) {
   defaults["defects"] = py::tuple();
   defaults["input"] = py::none();
   defaults["repair"] = py::none();
+  defaults["memory"] = py::none();
+  defaults["time"] = py::none();
   const std::string fullName = module.attr("__name__").cast<std::string>() + ".ThickenError";
   errorType = PyErr_NewExceptionWithDoc(fullName.c_str(), kDoc, PyExc_RuntimeError, defaults.ptr());
   if (errorType == nullptr) throw py::error_already_set();

@@ -32,6 +32,8 @@ std::string_view name(ErrorCode code) noexcept {
       return "too-large";
     case ErrorCode::kMemoryLimit:
       return "memory-limit";
+    case ErrorCode::kTimeLimit:
+      return "time-limit";
     case ErrorCode::kNoSolid:
       return "no-solid";
     case ErrorCode::kArithmetic:
@@ -57,6 +59,7 @@ int exitStatus(ErrorCode code) noexcept {
     case ErrorCode::kTooLarge:
       return 3;
     case ErrorCode::kMemoryLimit:
+    case ErrorCode::kTimeLimit:
     case ErrorCode::kNoSolid:
     case ErrorCode::kArithmetic:
     case ErrorCode::kInternal:

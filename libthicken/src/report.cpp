@@ -70,6 +70,14 @@ std::string_view makerOf(Method method) {
   return "sweep-and-contour";
 }
 
+Json known(const std::string& text) {
+  return text.empty() ? Json() : Json(text);
+}
+
+Json enoughMemory(std::size_t bytes) {
+  return {{"enough_bytes", bytes > 0 ? Json(bytes) : Json()}};
+}
+
 Json outputFacts(const Report& report) {
   return {{"triangles", report.triangles},
           {"vertices", report.vertices},
@@ -167,8 +175,9 @@ std::string text(const Json& json) {
 
 }  // namespace
 
-std::string toJson(const Report& report) {
+std::string toJson(const Report& report, const FileFacts& files) {
   Json json = head("ok");
+  json["key"] = known(files.key);
   json["input"] = surfaceFacts(report.input);
   json["near_rims"] = nearRimFacts(report.nearRims);
   json["repair"] = repairFacts(report.repair);
@@ -177,8 +186,11 @@ std::string toJson(const Report& report) {
   if (report.finestCell > 0) json["field"]["finest_cell_mm"] = report.finestCell;
   json["seconds"] = stages(report.seconds);
   json["predicted_seconds"] = report.predictedSeconds;
-  json["memory"] = {{"predicted_bytes", report.predictedMemory}, {"peak_bytes", report.peakMemory}};
+  json["memory"] = {{"predicted_bytes", report.predictedMemory},
+                    {"peak_bytes", report.peakMemory},
+                    {"enough_bytes", report.enoughMemory}};
   json["output"] = outputFacts(report);
+  json["output"]["sha256"] = known(files.outputDigest);
   json["surface_deviation_mm"] = report.surfaceDeviation;
   json["shell_error"] = errorFacts(report.shellError);
   json["shell_error_full_depth"] = errorFacts(report.shellErrorFullDepth);
@@ -192,13 +204,16 @@ std::string toJson(const Report& report) {
   return text(json);
 }
 
-std::string toJson(const Error& error) {
+std::string toJson(const Error& error, const FileFacts& files) {
   Json json = head("refused");
+  json["key"] = known(files.key);
   json["code"] = name(error.code());
   json["exit_status"] = exitStatus(error.code());
   json["sentence"] = error.what();
   json["input"] = error.input() ? surfaceFacts(*error.input()) : Json();
   json["repair"] = repairFacts(error.repair());
+  json["memory"] = enoughMemory(error.enoughMemory());
+  json["time"] = {{"enough_seconds", error.enoughSeconds() > 0 ? Json(error.enoughSeconds()) : Json()}};
   json["defects"] = defectList(error.defects());
   return text(json);
 }
@@ -217,6 +232,7 @@ std::string toJson(const CheckResult& result) {
   }
   json["input"] = surfaceFacts(result.facts);
   if (result.nearRims) json["near_rims"] = nearRimFacts(*result.nearRims);
+  json["memory"] = enoughMemory(result.enoughMemory);
   json["defects"] = defectList(result.defects);
   json["warnings"] = result.warnings;
   return text(json);

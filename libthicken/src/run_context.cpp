@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
+#include <cstdint>
+#include <sstream>
 #include <string>
 
 #include "thicken/error.h"
@@ -39,6 +42,8 @@ struct RunContext::State {
   std::atomic<std::size_t> work{0}, workBefore{0};
   std::atomic<Stage> stage{Stage::kWaiting};
   std::atomic<std::size_t> memoryLimit{0};
+  std::atomic<double> timeLimit{0};
+  std::atomic<std::int64_t> deadline{0};  // ticks of the steady clock; 0: none
 
   // The run's own share, of `progress`.
   [[nodiscard]] double done() const noexcept {
@@ -63,9 +68,26 @@ struct RunContext::State {
 
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 std::string mebibytes(std::size_t bytes) {
   constexpr std::size_t kMebibyte = std::size_t{1} << 20;
   return std::to_string(bytes / kMebibyte + (bytes % kMebibyte != 0)) + " MiB";
+}
+
+// The work that is left may be slower than what is done.
+constexpr double kEnoughTimes = 2;
+constexpr double kLeastProgress = 0.01;
+
+Error timeIsOver(double limit, double progress) {
+  std::ostringstream sentence;
+  sentence
+      << "the run was stopped at its time limit of " << limit << " s, with about "
+      << std::lround(100 * progress)
+      << " % of it done; nothing was written; allow more time, or use a coarser surface or a larger cell";
+  Error error(ErrorCode::kTimeLimit, sentence.str());
+  error.setEnoughSeconds(kEnoughTimes * limit / std::max(progress, kLeastProgress));
+  return error;
 }
 
 }  // namespace
@@ -126,6 +148,14 @@ std::size_t RunContext::memoryLimit() const noexcept {
   return state_->memoryLimit.load(std::memory_order_relaxed);
 }
 
+void RunContext::setTimeLimit(double seconds) noexcept {
+  constexpr double kMost = 1e9;  // beyond any run, and its ticks fit 64 bits
+  const std::chrono::duration<double> given(std::min(seconds, kMost));
+  const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(given);
+  state_->timeLimit.store(seconds, std::memory_order_relaxed);
+  state_->deadline.store(seconds > 0 ? end.time_since_epoch().count() : 0, std::memory_order_relaxed);
+}
+
 void RunContext::setPart(double begin, double end) noexcept {
   const double from = clampShare(begin);
   state_->partBegin.store(from, std::memory_order_relaxed);
@@ -166,6 +196,9 @@ std::size_t RunContext::counted() const noexcept {
 
 void RunContext::throwIfCancelled() const {
   if (cancelled()) throw Error(ErrorCode::kCancelled, "the run was cancelled; nothing was written");
+  const std::int64_t deadline = state_->deadline.load(std::memory_order_relaxed);
+  if (deadline != 0 && Clock::now().time_since_epoch().count() >= deadline)
+    throw timeIsOver(state_->timeLimit.load(std::memory_order_relaxed), progress());
 }
 
 void RunContext::reserve(std::size_t bytes, std::string_view remedy) const {
@@ -174,7 +207,9 @@ void RunContext::reserve(std::size_t bytes, std::string_view remedy) const {
   std::string sentence = "the run would need about " + mebibytes(bytes) +
                          " of memory, more than the limit of " + mebibytes(limit);
   sentence += remedy.empty() ? "" : ": " + std::string(remedy);
-  throw Error(ErrorCode::kMemoryLimit, sentence);
+  Error error(ErrorCode::kMemoryLimit, sentence);
+  error.setEnoughMemory(bytes);
+  throw error;
 }
 
 }  // namespace thicken

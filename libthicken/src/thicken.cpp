@@ -107,6 +107,7 @@ void proveOrThrow(Solid& solid, const TriangleMesh& surface, Side side, const Ru
 struct Known {
   std::optional<SurfaceFacts> input;
   std::optional<RepairFacts> repair;
+  std::size_t predictedMemory = 0;
 };
 
 // The surface to thicken: valid as it is or, where that is asked for, repaired.
@@ -189,6 +190,7 @@ bool leavesTheSweep(const Error& e) {
 Fallback fallbackFor(const Error& e, std::string stage, const TriangleMesh& surface) {
   Fallback fallback{std::move(stage), e.what(), Vec3::Zero(), areaOf(surface)};
   if (!e.defects().empty()) fallback.place = e.defects().front().place;
+  fallback.enoughMemory = e.enoughMemory();
   return fallback;
 }
 
@@ -374,6 +376,7 @@ Solid thickenKnown(const TriangleMesh& input, const Options& options, RunContext
   const SurfaceFacts sizes = sizesOf(given);
   const Forecast predicted = forecast(sizes, options);
   context.enter(Stage::kChecking, 0, kChecked, workFor(sizes, options).check);
+  known.predictedMemory = predicted.leastBytes;
   context.reserve(predicted.leastBytes, "thicken a part of the surface at a time, or simplify it first");
   RepairResult surface = validSurface(std::move(given), options, context, threads, watch, known);
   requireRoom(surface.mesh, options);
@@ -386,6 +389,9 @@ Solid thickenKnown(const TriangleMesh& input, const Options& options, RunContext
   solid.report.predictedMemory = std::max(solid.report.predictedMemory, expected);
   solid.report.predictedSeconds = predicted.seconds;
   solid.report.peakMemory = peakMemory();
+  solid.report.enoughMemory = std::max(solid.report.predictedMemory, solid.report.peakMemory);
+  for (const Fallback& f : solid.report.fallbacks)
+    solid.report.enoughMemory = std::max(solid.report.enoughMemory, f.enoughMemory);
   solid.report.seconds = watch.laps();
   if (options.repair) {
     solid.report.repair = known.repair;
@@ -411,6 +417,7 @@ Solid thicken(const TriangleMesh& surface, const Options& options, RunContext co
   } catch (Error& error) {
     if (known.input) error.setInput(*known.input);
     if (known.repair) error.setRepair(std::move(*known.repair));
+    error.setEnoughMemory(std::max({error.enoughMemory(), known.predictedMemory, peakMemory()}));
     throw;
   }
 }

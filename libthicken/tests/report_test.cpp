@@ -38,6 +38,7 @@ Report sampleReport() {
   report.seconds = {{"check", 0.5}, {"sweep", 1}, {"check", 0.25}};
   report.predictedSeconds = 0.5;
   report.predictedMemory = 1000;
+  report.enoughMemory = 1500;
   report.triangles = 30;
   report.originalTriangles = 12;
   report.shellTriangles = 14;
@@ -119,6 +120,25 @@ TEST(Report, HoldsTheFactsUnderTheirNames) {
   EXPECT_EQ(report["audit"]["closed"], true);
   EXPECT_EQ(report["audit"]["passed"], false) << "only one of the clauses was set";
   EXPECT_EQ(report["warnings"], json({"the solid is thin"}));
+  EXPECT_EQ(report["memory"]["enough_bytes"], 1500);
+}
+
+TEST(Report, HoldsWhatARunOverFilesKnowsAndNullWithout) {
+  const json report = json::parse(toJson(sampleReport(), {"0a", "1b"}));
+  EXPECT_EQ(report["key"], "0a");
+  EXPECT_EQ(report["output"]["sha256"], "1b");
+  EXPECT_EQ(json::parse(toJson(Error(ErrorCode::kNoSolid, ""), {"0a", ""}))["key"], "0a");
+  EXPECT_TRUE(json::parse(toJson(sampleReport()))["key"].is_null());
+}
+
+TEST(Report, OfARefusalTellsWhatWouldBeEnough) {
+  Error error(ErrorCode::kMemoryLimit, "it does not fit");
+  EXPECT_TRUE(json::parse(toJson(error))["memory"]["enough_bytes"].is_null());
+  EXPECT_TRUE(json::parse(toJson(error))["time"]["enough_seconds"].is_null());
+  error.setEnoughMemory(2000);
+  error.setEnoughSeconds(7.5);
+  EXPECT_EQ(json::parse(toJson(error))["memory"]["enough_bytes"], 2000);
+  EXPECT_EQ(json::parse(toJson(error))["time"]["enough_seconds"], 7.5);
 }
 
 TEST(Report, HasNoErrorBoundUnlessOneWasAskedFor) {

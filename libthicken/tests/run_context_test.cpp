@@ -165,6 +165,31 @@ TEST(RunContext, ThrowsOnceCancelled) {
   }
 }
 
+TEST(RunContext, ThrowsOnceTheTimeIsOverAndEstimatesWhatIsEnough) {
+  RunContext context;
+  context.setTimeLimit(1e-9);
+  context.enter(Stage::kSweeping, 0.25, 1);
+  EXPECT_FALSE(context.cancelled()) << "nobody has asked the run to stop";
+  try {
+    context.throwIfCancelled();
+    FAIL() << "the time limit was not kept";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kTimeLimit);
+    EXPECT_DOUBLE_EQ(error.enoughSeconds(), 8e-9) << "twice what a quarter took, times four";
+    EXPECT_NE(std::string(error.what()).find("25 %"), std::string::npos) << error.what();
+  }
+  context.cancel();
+  EXPECT_THROW(context.throwIfCancelled(), Error);
+}
+
+TEST(RunContext, LongAndNoTimeLimitsDoNotEndARun) {
+  RunContext context;
+  for (const double seconds : {1e300, 3600.0, 0.0}) {
+    context.setTimeLimit(seconds);
+    EXPECT_NO_THROW(context.throwIfCancelled()) << seconds;
+  }
+}
+
 TEST(RunContext, ReserveRefusesMoreThanTheLimitAndNamesBoth) {
   RunContext context;
   constexpr std::size_t kMebibyte = 1 << 20;
@@ -177,6 +202,7 @@ TEST(RunContext, ReserveRefusesMoreThanTheLimitAndNamesBoth) {
   } catch (const Error& error) {
     const std::string sentence = error.what();
     EXPECT_EQ(error.code(), ErrorCode::kMemoryLimit);
+    EXPECT_EQ(error.enoughMemory(), 20000000 * kMebibyte + 1);
     EXPECT_NE(sentence.find("100 MiB"), std::string::npos) << sentence;
     EXPECT_NE(sentence.find("20000001 MiB"), std::string::npos) << sentence;
     EXPECT_NE(sentence.find("use larger cells"), std::string::npos) << sentence;

@@ -84,14 +84,15 @@ class Cancel(ProgramCase):
             (self.folder / "report.json").unlink(missing_ok=True)
         self.fail("the machine is too fast for this surface")
 
-    def test_a_signal_ends_the_run_within_a_second_and_leaves_nothing(self):
+    def test_a_signal_ends_the_run_within_a_second_and_leaves_its_report_alone(self):
         for number in (signal.SIGINT, signal.SIGTERM):
             with self.subTest(number.name):
                 process, text, seconds = self.interrupted(number, "--report", "report.json")
                 self.assertEqual(process.returncode, 5, text)
                 self.assertRegex(text.splitlines()[-1], r"^thicken: cancelled: .+")
                 self.assertLess(seconds, 1.0 * (os.cpu_count() or 1))
-                self.assert_leaves({"in.ply"})
+                self.assert_leaves({"in.ply", "report.json"})
+                self.assertEqual((self.report()["code"], self.report()["exit_status"]), ("cancelled", 5))
 
     def test_quiet_prints_the_last_line_alone(self):
         text = self.interrupted(signal.SIGINT, "--quiet")[1]

@@ -195,6 +195,7 @@ class Arguments(unittest.TestCase):
         with self.assertRaises(ThickenError) as caught:
             thicken_mesh(*plate(n=200), 1, memory=1)
         self.assertEqual(caught.exception.code, "memory-limit")
+        self.assertGreater(caught.exception.memory["enough_bytes"], 1 << 20)
         with self.assertRaises(ValueError):
             thicken_mesh(*plate(), 1, memory=0)
         context = RunContext()

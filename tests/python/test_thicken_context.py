@@ -35,6 +35,14 @@ class LongRun(unittest.TestCase):
         self.addCleanup(context.cancel)
         return thread, outcome
 
+    def test_a_time_limit_ends_a_run(self):
+        context = RunContext()
+        context.set_time_limit(0.05)
+        with self.assertRaises(ThickenError) as caught:
+            thicken_mesh(*long_run(), 0.2, context=context)
+        self.assertEqual(caught.exception.code, "time-limit")
+        self.assertGreater(caught.exception.time["enough_seconds"], 0.05)
+
     def test_other_threads_run_and_see_progress(self):
         context = RunContext()
         self.assertEqual((context.progress, context.stage, context.cancelled), (0, "waiting", False))

@@ -21,6 +21,7 @@ struct CheckResult {
   SurfaceFacts facts;                 ///< as far as they make sense for what was found
   std::optional<NearRims> nearRims;   ///< where nearRims() was asked, too
   std::vector<Defect> defects;        ///< all kinds that were found, at most one entry a kind; empty: valid
+  std::size_t enoughMemory = 0;       ///< bytes; left 0 by check(): what reading and checking took
   std::vector<std::string> warnings;  ///< left empty by check(): for what reading the file passed over
   [[nodiscard]] bool valid() const noexcept { return defects.empty(); }
 };

@@ -28,6 +28,7 @@ enum class ErrorCode {
   kSelfIntersecting,  ///< triangles that meet elsewhere than at shared vertices and edges
   kTooLarge,          ///< more elements than 32-bit indices can name
   kMemoryLimit,       ///< not even the least that the run needs fits the limit
+  kTimeLimit,         ///< the run took longer than RunContext::setTimeLimit() allows
   kNoSolid,           ///< no valid solid within the limits
   kArithmetic,        ///< the process does not compute as exact decisions need it
   kCancelled,         ///< RunContext::cancel() was called
@@ -71,11 +72,22 @@ class Error : public std::runtime_error {
   [[nodiscard]] const std::optional<RepairFacts>& repair() const noexcept { return repair_; }
   void setRepair(RepairFacts facts) { repair_ = std::move(facts); }
 
+  /// Bytes of memory that would have been enough to come as far as the run did, and for kMemoryLimit to go
+  /// on; 0: not known.
+  [[nodiscard]] std::size_t enoughMemory() const noexcept { return enoughMemory_; }
+  void setEnoughMemory(std::size_t bytes) noexcept { enoughMemory_ = bytes; }
+
+  /// With kTimeLimit: an estimate of the seconds that would have been enough; 0: not known.
+  [[nodiscard]] double enoughSeconds() const noexcept { return enoughSeconds_; }
+  void setEnoughSeconds(double seconds) noexcept { enoughSeconds_ = seconds; }
+
  private:
   ErrorCode code_;
   std::vector<Defect> defects_;
   std::optional<SurfaceFacts> input_;
   std::optional<RepairFacts> repair_;
+  std::size_t enoughMemory_ = 0;
+  double enoughSeconds_ = 0;
 };
 
 }  // namespace thicken

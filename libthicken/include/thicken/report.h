@@ -12,8 +12,14 @@
 
 namespace thicken {
 
-[[nodiscard]] std::string toJson(const Report& report);
-[[nodiscard]] std::string toJson(const Error& error);
+/// What a run over files knows beside: as SHA-256 in hexadecimal digits, empty where it is not known.
+struct FileFacts {
+  std::string key;  ///< of the input's bytes, the options that the output depends on, and the version
+  std::string outputDigest;  ///< of the output's bytes
+};
+
+[[nodiscard]] std::string toJson(const Report& report, const FileFacts& files = {});
+[[nodiscard]] std::string toJson(const Error& error, const FileFacts& files = {});
 [[nodiscard]] std::string toJson(const CheckResult& result);
 [[nodiscard]] std::string toJson(const RepairFacts& facts);
 [[nodiscard]] std::string toJson(const Inspection& inspection);  ///< without the shell of each triangle

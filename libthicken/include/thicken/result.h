@@ -50,8 +50,9 @@ struct AuditFacts {
 struct Fallback {
   std::string stage;   ///< "contour": could not be joined there; "audit": did not pass; "memory": no room
   std::string reason;  ///< a complete sentence
-  Vec3 place = Vec3::Zero();  ///< mm, in the middle of it
-  double area = 0;            ///< mm² of the shell
+  Vec3 place = Vec3::Zero();     ///< mm, in the middle of it
+  double area = 0;               ///< mm² of the shell
+  std::size_t enoughMemory = 0;  ///< bytes, with "memory": there would have been room; 0: not known
 };
 
 struct Report {
@@ -71,6 +72,7 @@ struct Report {
   double predictedSeconds = 0;                          ///< of one processor: forecast()
   std::size_t predictedMemory = 0;                      ///< bytes
   std::size_t peakMemory = 0;                           ///< bytes, of the process
+  std::size_t enoughMemory = 0;                         ///< bytes of a limit that changes nothing
 
   std::size_t triangles = 0, vertices = 0;
   std::size_t originalTriangles = 0, shellTriangles = 0, wallTriangles = 0;

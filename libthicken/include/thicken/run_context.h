@@ -47,6 +47,10 @@ class RunContext {
   void setMemoryLimit(std::size_t bytes) noexcept;
   [[nodiscard]] std::size_t memoryLimit() const noexcept;
 
+  /// Seconds that the run may take from now on; 0: no limit. Set it before the run, which then ends with
+  /// ErrorCode::kTimeLimit as soon after that as it would end when cancelled.
+  void setTimeLimit(double seconds) noexcept;
+
   /// What the run counts as its whole progress is the part [begin, end] of the caller's.
   void setPart(double begin, double end) noexcept;
 
@@ -63,7 +67,7 @@ class RunContext {
   void count(std::size_t units = 1) const noexcept;
   /// Units that were counted since the handle was made.
   [[nodiscard]] std::size_t counted() const noexcept;
-  /// Throws Error(kCancelled) once cancel() was called.
+  /// Throws Error(kCancelled) once cancel() was called, and Error(kTimeLimit) once the time limit is over.
   void throwIfCancelled() const;
   /// Throws Error(kMemoryLimit) when `bytes` exceed the limit; the sentence names both and `remedy`.
   void reserve(std::size_t bytes, std::string_view remedy) const;

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <string_view>
 #include <vector>
 
@@ -17,6 +18,7 @@ namespace {
 constexpr double kMebibyte = 1024.0 * 1024.0;
 // Above this a number of mebibytes is a slip, and its bytes would not fit 64 bits.
 constexpr double kMostMebibytes = 1e12;
+constexpr double kMostSeconds = 1e9;
 
 // What the library has no opinion about, because it depends on the machine, is checked here;
 // requireValid() has the last word on everything else.
@@ -56,6 +58,15 @@ CLI::Validator mebibytes() {
           ""};
 }
 
+CLI::Validator seconds() {
+  return {[](std::string& text) -> std::string {
+            double value = 0;
+            if (CLI::detail::lexical_cast(text, value) && value > 0 && value <= kMostSeconds) return {};
+            return "it must be a number of seconds above 0, not " + text;
+          },
+          ""};
+}
+
 // A choice by the words that the library prints. CLI11's own transformer lists the numbers behind
 // the words, too.
 template <class Value, class Target>
@@ -82,6 +93,9 @@ void describeRun(CLI::App& app, Arguments& arguments, double& memory) {
   app.add_option("--memory", memory, "Most memory that the run may take; default: what the machine has")
       ->check(mebibytes())
       ->type_name("MIB");
+  app.add_option("--timeout", arguments.timeLimit, "Most seconds that the run may take; default: any number")
+      ->check(seconds())
+      ->type_name("S");
   app.add_flag("--quiet", arguments.quiet, "No progress, no warnings, no summary; errors are still printed");
   app.set_version_flag("--version", std::string("thicken ") + kVersion, "Print the version");
   app.set_help_flag("-h,--help", "Print this help");
@@ -119,6 +133,8 @@ void describeThicken(CLI::App& app, Arguments& arguments) {
       ->type_name("E");
   app.add_flag("--strict", options.strict,
                "With --repair: refuse a solid that lost more than 5 % of the area or is mostly too thin");
+  app.add_flag("--skip-if-same", arguments.skipIfSame,
+               "With --report: do nothing where the report and the output are those of the same run");
   app.add_option("--repaired", arguments.repaired, "With --repair: write the surface that came of it, too")
       ->type_name("FILE");
 }
@@ -148,6 +164,32 @@ void refuseSharedPaths(const Arguments& arguments) {
         ErrorCode::kInvalidArgument,
         "--repaired names a file that the run reads or writes itself; give the repaired surface a name of "
         "its own");
+}
+
+void refuseSkipping(const Arguments& arguments) {
+  if (!arguments.skipIfSame) return;
+  if (arguments.report.empty())
+    throw Error(ErrorCode::kInvalidArgument,
+                "--skip-if-same compares with the report of the last run; give --report, too");
+  if (!arguments.repaired.empty())
+    throw Error(ErrorCode::kInvalidArgument,
+                "--skip-if-same looks at one output; leave out --repaired, or --skip-if-same");
+}
+
+// What was given of the options, but for those that no byte of the output depends on. An option that is new
+// here counts until it is known to be one of them.
+std::vector<std::string> optionsOfOutput(const CLI::App& app) {
+  constexpr std::array<std::string_view, 8> kOthers{"INPUT",     "OUTPUT",    "--report", "--repaired",
+                                                    "--threads", "--timeout", "--quiet",  "--skip-if-same"};
+  std::vector<std::string> given;
+  for (const CLI::Option* option : app.get_options()) {
+    const std::string name = option->get_name();
+    if (option->count() == 0 || std::find(kOthers.begin(), kOthers.end(), name) != kOthers.end()) continue;
+    given.push_back(name);
+    const CLI::results_t& values = option->results();
+    given.insert(given.end(), values.begin(), values.end());
+  }
+  return given;
 }
 
 Error usageError(const CLI::ParseError& error, const std::string& command) {
@@ -181,7 +223,9 @@ Request readArguments(int argc, const char* const* argv) {
     throw Error(ErrorCode::kInvalidArgument, "--repaired writes what --repair makes; give --repair, too");
   arguments.limitGiven = memory > 0;
   arguments.memoryLimit = memory > 0 ? static_cast<std::size_t>(memory * kMebibyte) : machineMemory();
+  arguments.given = optionsOfOutput(app);
   refuseSharedPaths(arguments);
+  refuseSkipping(arguments);
   return {arguments, {}};
 }
 

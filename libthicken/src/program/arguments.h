@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "thicken/options.h"
 
@@ -22,6 +23,9 @@ struct Arguments {
   std::filesystem::path repaired;  ///< kThicken only: where the repaired surface goes; empty: nowhere
   Options options;                 ///< kThicken only; precision follows from the output
   std::size_t memoryLimit = 0;     ///< bytes; 0: no limit
+  double timeLimit = 0;            ///< seconds; 0: no limit
+  bool skipIfSame = false;         ///< kThicken only: not to make once more what is there
+  std::vector<std::string> given;  ///< the options that the output depends on, as they were given
   bool limitGiven = false;         ///< whether it was asked for, and is not just what the machine has
   bool quiet = false;
 };

@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <climits>
 #include <cstdlib>  // says which C library it is
 
@@ -26,11 +27,16 @@ void keepFreedMemory() noexcept {
 #endif
 }
 
-void returnFreedArrays() noexcept {
+void returnFreedArrays(std::size_t limit) noexcept {
 #if defined(__GLIBC__)
-  constexpr int kLarge = 1 << 18;  // bytes; left alone, the C library raises it to that of what was freed
-  mallopt(M_MMAP_THRESHOLD, kLarge);
-  mallopt(M_TRIM_THRESHOLD, kLarge);
+  // Bytes; left alone, the C library raises it to that of what was freed. A hundred arrays that are free and
+  // kept are a tenth of the limit then.
+  constexpr std::size_t kLeast = std::size_t{1} << 18, kMost = std::size_t{32} << 20, kShare = 1000;
+  const int large = static_cast<int>(std::clamp(limit / kShare, kLeast, kMost));
+  mallopt(M_MMAP_THRESHOLD, large);
+  mallopt(M_TRIM_THRESHOLD, large);
+#else
+  static_cast<void>(limit);
 #endif
 }
 

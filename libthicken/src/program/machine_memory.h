@@ -12,8 +12,8 @@ namespace thicken::program {
 /// having every page zeroed again: that is a tenth of the time of a quick run.
 void keepFreedMemory() noexcept;
 
-/// From now on large arrays go back to the system as soon as they are freed, at the cost of some time, so
-/// that what the process holds is what it uses.
-void returnFreedArrays() noexcept;
+/// From now on arrays that are large beside a memory limit of so many bytes go back to the system as soon as
+/// they are freed, at the cost of some time, so that what the process holds is about what it uses.
+void returnFreedArrays(std::size_t limit) noexcept;
 
 }  // namespace thicken::program

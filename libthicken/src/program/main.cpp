@@ -27,7 +27,8 @@ int run(int argc, const char* const* argv, bool& quiet) {
   quiet = request.arguments->quiet;
   RunContext context;
   context.setMemoryLimit(request.arguments->memoryLimit);
-  request.arguments->limitGiven ? returnFreedArrays() : keepFreedMemory();
+  context.setTimeLimit(request.arguments->timeLimit);
+  request.arguments->limitGiven ? returnFreedArrays(request.arguments->memoryLimit) : keepFreedMemory();
   cancelOnInterrupt(context);
   request.arguments->command == Command::kCheck ? runCheck(*request.arguments, context)
                                                 : runThicken(*request.arguments, context);
@@ -50,9 +51,6 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     return fail(Error(ErrorCode::kMemoryLimit, "the machine ran out of memory"), quiet);
   } catch (const std::exception&) {
-    return fail(Error(ErrorCode::kInternal,
-                      "the program broke one of its own rules; nothing was written; please report it with "
-                      "the surface that caused it"),
-                quiet);
+    return fail(brokenRule(), quiet);
   }
 }

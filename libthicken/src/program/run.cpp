@@ -4,13 +4,17 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <exception>
 #include <iostream>
 #include <new>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "io/sha256.h"
 #include "measure/stopwatch.h"
 #include "program/files.h"
+#include "program/made_before.h"
 #include "program/messages.h"
 #include "program/progress_line.h"
 #include "thicken/thicken.h"
@@ -114,6 +118,7 @@ CheckResult checkSurface(const Arguments& arguments, RunContext& context,
   context.enter(Stage::kChecking, kReadShare, 1, 0);
   CheckResult result = check(surface, context, arguments.options.threads);
   result.nearRims = nearRims(surface, context, arguments.options.threads);
+  result.enoughMemory = peakMemory();
   result.warnings = warnings;
   return result;
 }
@@ -141,49 +146,72 @@ void printWarnings(const Arguments& arguments, const std::vector<std::string>& w
 }
 
 // run(warnings); the error that it ends with, if any, as the one type that the program reports, after what it
-// warned of until then.
+// warned of until then. `files`: what is known of them when it ends.
 template <class Run>
-void withReport(const Arguments& arguments, Run run) {
+void withReport(const Arguments& arguments, const FileFacts& files, Run run) {
   std::vector<std::string> warnings;
   try {
     try {
       run(warnings);
+    } catch (const Error&) {
+      throw;
     } catch (const std::bad_alloc&) {
       throw Error(ErrorCode::kMemoryLimit,
                   "the machine ran out of memory; free some, or use a larger --cell or a coarser surface");
+    } catch (const std::exception&) {
+      throw brokenRule();
     }
   } catch (const Error& error) {
     printWarnings(arguments, warnings);
-    if (error.code() != ErrorCode::kCancelled) writeReport(arguments, toJson(error));
+    writeReport(arguments, toJson(error, files));
     throw;
   }
 }
 
+void requireFiles(const Arguments& arguments) {
+  requireReadable(arguments.input);
+  requireWritable(arguments.output);
+  requireFolderFor(arguments.output);
+  if (arguments.repaired.empty()) return;
+  requireWritable(arguments.repaired);
+  requireFolderFor(arguments.repaired);
+}
+
 }  // namespace
 
+Error brokenRule() {
+  return {
+      ErrorCode::kInternal,
+      "the program broke one of its own rules; nothing was written; please report it with the surface that "
+      "caused it"};
+}
+
 void runThicken(const Arguments& arguments, RunContext context) {
-  if (!arguments.report.empty()) requireFolderFor(arguments.report);
-  Solid solid;
-  withReport(arguments, [&](std::vector<std::string>& warnings) {
-    requireReadable(arguments.input);
-    requireWritable(arguments.output);
-    requireFolderFor(arguments.output);
-    if (!arguments.repaired.empty()) {
-      requireWritable(arguments.repaired);
-      requireFolderFor(arguments.repaired);
-    }
+  const bool isReported = !arguments.report.empty();
+  if (isReported) requireFolderFor(arguments.report);
+  std::optional<Solid> solid;
+  FileFacts files;
+  withReport(arguments, files, [&](std::vector<std::string>& warnings) {
+    requireFiles(arguments);
+    if (isReported) files.key = keyOf(arguments);
+    if (arguments.skipIfSame && isMadeBefore(arguments, files.key)) return;
     solid = makeSolid(arguments, context, warnings);
   });
-  writeReport(arguments, toJson(solid.report));
-  printWarnings(arguments, solid.report.warnings);
+  if (!solid) {
+    if (!arguments.quiet) std::cout << oneLine(arguments.output.string()) << ": made before\n";
+    return;
+  }
+  if (isReported) files.outputDigest = io::sha256Of(arguments.output).value_or("");
+  writeReport(arguments, toJson(solid->report, files));
+  printWarnings(arguments, solid->report.warnings);
   if (arguments.quiet) return;
-  printSummary(arguments, solid.report);
+  printSummary(arguments, solid->report);
 }
 
 void runCheck(const Arguments& arguments, RunContext context) {
   if (!arguments.report.empty()) requireFolderFor(arguments.report);
   CheckResult result;
-  withReport(arguments, [&](std::vector<std::string>& warnings) {
+  withReport(arguments, {}, [&](std::vector<std::string>& warnings) {
     requireReadable(arguments.input);
     result = checkSurface(arguments, context, warnings);
   });

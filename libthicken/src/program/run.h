@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// The two commands of the program. Both throw Error, and write the report whatever comes of the run,
-// unless it was cancelled.
+// The two commands of the program. Both throw Error, and write the report whatever comes of the run.
 #pragma once
 
 #include "program/arguments.h"
+#include "thicken/error.h"
 #include "thicken/run_context.h"
 
 namespace thicken::program {
 
 void runThicken(const Arguments& arguments, RunContext context);
 void runCheck(const Arguments& arguments, RunContext context);
+
+/// What an exception of any other type is told as.
+[[nodiscard]] Error brokenRule();
 
 }  // namespace thicken::program
