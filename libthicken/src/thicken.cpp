@@ -110,8 +110,10 @@ RepairResult validSurface(TriangleMesh surface, const Options& options, RunConte
   watch.lap("check");
   known.input = checked.facts;
   if (!options.repair && !checked.valid()) throwDefects(std::move(checked.defects));
-  if (options.repair && (options.weld || !checked.valid())) {
-    RepairResult mended = repair(surface, {options.weld}, context, threads);
+  const bool joins = options.weld || options.bridge || options.fillHoles;
+  if (options.repair && (joins || !checked.valid())) {
+    RepairResult mended =
+        repair(surface, {options.weld, options.bridge, options.fillHoles}, context, threads);
     known.repair = mended.facts;
     watch.lap("repair");
     return mended;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "program/run.h"
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <new>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,7 +33,51 @@ TriangleMesh readSurface(const Arguments& arguments, RunContext& context,
   return surface;
 }
 
-Solid makeSolid(const Arguments& arguments, RunContext& context, std::vector<std::string>& warnings) {
+// Numbered files must not take the place of what the run reads or writes besides.
+void requireFree(const Arguments& arguments, std::size_t count) {
+  for (const std::filesystem::path& path : pathsOfMeshes(arguments.output, count))
+    if (samePath(path, arguments.input) || samePath(path, arguments.report))
+      throw Error(ErrorCode::kInvalidArgument,
+                  "the solid of a sheet would be written to " + oneLine(path.string()) +
+                      ", which the run reads or writes itself; give the output another name");
+}
+
+// Solids, and what each report says; one of each but for --sheets.
+struct Made {
+  std::vector<TriangleMesh> meshes;
+  std::vector<Report> reports;
+};
+
+// Proves all before it writes any.
+Made makeSheets(const Arguments& arguments, const TriangleMesh& surface, const Options& options,
+                RunContext& context) {
+  const std::vector<Sheet> sheets = divideIntoSheets(surface);
+  if (sheets.empty()) throw Error(ErrorCode::kEmpty, "the surface has no triangles");
+  requireFree(arguments, sheets.size());
+  Made made;
+  for (std::size_t i = 0; i < sheets.size(); ++i) {
+    try {
+      Solid solid = thicken(sheets[i].mesh, options, context);
+      made.meshes.push_back(std::move(solid.mesh));
+      made.reports.push_back(std::move(solid.report));
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::kCancelled) throw;
+      Error told(error.code(),
+                 "sheet " + std::to_string(i + 1) + " of " + std::to_string(sheets.size()) + " (" +
+                     std::to_string(sheets[i].mesh.triangles.size()) + " triangles): " + error.what(),
+                 error.defects());
+      if (error.input()) told.setInput(*error.input());
+      if (error.repair()) told.setRepair(*error.repair());
+      throw told;
+    }
+  }
+  context.throwIfCancelled();
+  context.enter(Stage::kWriting, kWriteShare, 1);
+  writeMeshes(arguments.output, made.meshes);
+  return made;
+}
+
+Made makeSolid(const Arguments& arguments, RunContext& context, std::vector<std::string>& warnings) {
   const ProgressLine line(context, arguments.quiet);
   Stopwatch reading;
   const TriangleMesh surface = readSurface(arguments, context, warnings);
@@ -40,6 +87,7 @@ Solid makeSolid(const Arguments& arguments, RunContext& context, std::vector<std
   // The repaired surface has to be found in the solid bit for bit, whatever either file stores.
   if (!arguments.repaired.empty() && storedPrecision(arguments.repaired) == Precision::kSingle)
     options.precision = Precision::kSingle;
+  if (arguments.sheets) return makeSheets(arguments, surface, options, context);
   Solid solid = thicken(surface, options, context);
   context.throwIfCancelled();
   context.enter(Stage::kWriting, kWriteShare, 1);
@@ -51,7 +99,10 @@ Solid makeSolid(const Arguments& arguments, RunContext& context, std::vector<std
   seconds.insert(seconds.begin(), reading.laps().front());
   seconds.push_back(writing.laps().front());
   solid.report.warnings.insert(solid.report.warnings.begin(), warnings.begin(), warnings.end());
-  return solid;
+  Made made;
+  made.meshes.push_back(std::move(solid.mesh));
+  made.reports.push_back(std::move(solid.report));
+  return made;
 }
 
 CheckResult checkSurface(const Arguments& arguments, RunContext& context,
@@ -65,10 +116,9 @@ CheckResult checkSurface(const Arguments& arguments, RunContext& context,
   return result;
 }
 
-void printSummary(const Arguments& arguments, const Report& report) {
-  std::cout << oneLine(arguments.output.string()) << ": " << report.triangles << " triangles, "
-            << report.volume / 1000 << " mL, thinnest wall " << report.thinnestWall << " of "
-            << report.thickness << " mm"
+void printSummary(const std::filesystem::path& path, const Report& report) {
+  std::cout << oneLine(path.string()) << ": " << report.triangles << " triangles, " << report.volume / 1000
+            << " mL, thinnest wall " << report.thinnestWall << " of " << report.thickness << " mm"
             << (report.parts > 1 ? ", " + std::to_string(report.parts) + " parts" : "") << '\n';
 }
 
@@ -119,7 +169,7 @@ void withReport(const Arguments& arguments, Run run) {
 
 void runThicken(const Arguments& arguments, RunContext context) {
   if (!arguments.report.empty()) requireFolderFor(arguments.report);
-  Solid solid;
+  Made made;
   withReport(arguments, [&](std::vector<std::string>& warnings) {
     requireReadable(arguments.input);
     requireWritable(arguments.output);
@@ -128,12 +178,16 @@ void runThicken(const Arguments& arguments, RunContext context) {
       requireWritable(arguments.repaired);
       requireFolderFor(arguments.repaired);
     }
-    solid = makeSolid(arguments, context, warnings);
+    made = makeSolid(arguments, context, warnings);
+    if (arguments.sheets) printWarnings(arguments, warnings);
   });
-  writeReport(arguments, toJson(solid.report));
-  printWarnings(arguments, solid.report.warnings);
-  if (arguments.quiet) return;
-  printSummary(arguments, solid.report);
+  writeReport(arguments, arguments.sheets ? toJson(std::span<const Report>(made.reports))
+                                          : toJson(made.reports.front()));
+  const auto paths = pathsOfMeshes(arguments.output, made.meshes.size());
+  for (std::size_t i = 0; i < made.reports.size(); ++i) {
+    printWarnings(arguments, made.reports[i].warnings);
+    if (!arguments.quiet) printSummary(paths[std::min(i, paths.size() - 1)], made.reports[i]);
+  }
 }
 
 void runCheck(const Arguments& arguments, RunContext context) {

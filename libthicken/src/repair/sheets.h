@@ -18,6 +18,7 @@ struct CrowdedEdge {
 
 struct Sheets {
   std::vector<CrowdedEdge> edges;
+  std::vector<TriangleId> sheetOf;  ///< per triangle: the lowest of its sheet
   std::vector<double> areaAt;  ///< mm² per triangle: of the sheet that it belongs to
 };
 
