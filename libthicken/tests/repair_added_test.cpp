@@ -8,8 +8,10 @@
 #include <numeric>
 #include <set>
 
+#include "cut_surfaces.h"
 #include "plain_shapes.h"
-#include "thicken/repair.h"
+#include "repair/borders.h"
+#include "repair_options.h"
 #include "thicken/sheets.h"
 #include "thicken/thicken.h"
 
@@ -46,18 +48,6 @@ void expectOnlyAdded(const TriangleMesh& given, const RepairResult& result, Repa
   EXPECT_EQ(kept.size(), given.triangles.size());
   EXPECT_EQ(added, result.facts.added.triangles);
   EXPECT_EQ(added, countOf(result.facts, kind));
-}
-
-RepairOptions filling(double longest) {
-  RepairOptions options;
-  options.longestHole = longest;
-  return options;
-}
-
-RepairOptions bridging(double distance) {
-  RepairOptions options;
-  options.bridgeDistance = distance;
-  return options;
 }
 
 // A sphere of radius 1 without what is above `height`.
@@ -229,7 +219,53 @@ TEST(RepairAdds, RefusesLengthsThatAreNone) {
   EXPECT_THROW((void)repair(shapes::sheet(3, 3), filling(-1)), Error);
 }
 
-// A wall on a floor, and a beam that crosses it: at their edges three and four triangles meet.
+// Panels with gaps between them and holes torn into them. Whatever is added, proved() has the last word.
+TEST(RepairAdds, KeepsRandomTornSurfacesValid) {
+  std::size_t strips = 0, holes = 0;
+  for (unsigned seed = 1; seed <= 30; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937 random(seed);
+    const auto unit = [&] { return std::uniform_real_distribution<double>(0, 1)(random); };
+    const shapes::CutSurface cut = shapes::SurfaceCutter(seed, 0.05).make();
+    TriangleMesh torn = weld(cut.mesh);
+    for (int hole = 0; hole < 4; ++hole) {
+      const Vec3 middle = torn.positions[random() % torn.positions.size()];
+      const double radius = (0.5 + 3 * unit()) * cut.meanEdge;
+      std::erase_if(torn.triangles, [&](const Triangle& t) {
+        const Vec3 p = (torn.positions[t[0]] + torn.positions[t[1]] + torn.positions[t[2]]) / 3;
+        return (p - middle).norm() < radius;
+      });
+    }
+    RepairOptions options = bridging((0.2 + 2 * unit()) * cut.meanEdge);
+    options.longestHole = unit() < 0.3 ? 100 : (2 + 20 * unit()) * cut.meanEdge;
+    const RepairResult result = repair(weld(torn), options, {}, 1);
+    EXPECT_TRUE(check(result.mesh, {}, 1).valid());
+    std::size_t removed = 0, added = 0;
+    for (const RepairChange& change : result.facts.changes) {
+      if (removes(change.kind)) removed += change.count;
+      if (adds(change.kind)) added += change.count;
+    }
+    EXPECT_EQ(removed, result.facts.removed);
+    EXPECT_EQ(added, result.facts.added.triangles);
+    strips += result.facts.added.strips;
+    holes += result.facts.added.holes;
+  }
+  EXPECT_GT(strips, 50u);
+  EXPECT_GT(holes, 50u);
+}
+
+TEST(RepairBorders, LoseTheirTeethAndNothingElse) {
+  repairing::Workpiece piece(shapes::flatSheet(6, 6, 0));
+  for (TriangleId t = 24; t < 36; ++t)
+    if (t != 28) piece.remove(t, RepairKind::kSelfIntersecting);
+  piece.remove(0, RepairKind::kDuplicate);  // which leaves no hole: there is another
+  repairing::smoothBorders(piece);
+  EXPECT_EQ(piece.present[28], 0);
+  EXPECT_EQ(piece.reason[28], RepairKind::kSmoothed);
+  EXPECT_EQ(std::count(piece.present.begin(), piece.present.end(), 1), 72 - 12 - 1);
+}
+
+// A wall on a floor: at its foot three triangles meet.
 TriangleMesh floorWithWall() {
   TriangleMesh mesh = shapes::flatSheet(6, 8, 0);
   const auto first = static_cast<VertexId>(mesh.positions.size());

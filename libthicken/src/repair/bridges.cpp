@@ -37,7 +37,6 @@ struct Strip {
   std::vector<std::uint32_t> edges;                   // of the rim, that it uses
   std::map<std::pair<VertexId, VertexId>, int> uses;  // its edges from one rim to the other
   std::array<double, 2> length{0, 0};
-  double gaps = 0;  // sum over the triangles
 };
 
 class Bridging {
@@ -144,14 +143,23 @@ class Bridging {
     Strip strip;
     ++count(strip, seed.a, seed.b);
     for (const int way : {1, -1}) growTo(strip, seed.a, seed.b, way, sense);
-    const double gap = strip.gaps / static_cast<double>(std::max<std::size_t>(1, strip.triangles.size()));
-    const bool isLong = std::min(strip.length[0], strip.length[1]) >= kLong * gap;
-    if (strip.triangles.empty() || !isLong || !additions_.fits(strip.triangles)) return false;
+    if (!isLong(strip) || !additions_.fits(strip.triangles)) {
+      for (const std::uint32_t e : strip.edges) used_[e] = 0;
+      return false;
+    }
     additions_.add(strip.triangles, RepairKind::kBridged);
-    for (const std::uint32_t e : strip.edges) used_[e] = 1;
     for (const auto& edge : strip.uses) strips_.insert(edge.first);
     noteJoin(seed, sense);
     return true;
+  }
+
+  // Against the mean width of its gap. A fan around one corner is no strip: it would hang on it in a point.
+  [[nodiscard]] bool isLong(const Strip& strip) const {
+    const auto [a, b] = strip.length;
+    double area = 0;
+    for (const Triangle& t : strip.triangles)
+      area += (at_[t[1]] - at_[t[0]]).cross(at_[t[2]] - at_[t[0]]).norm() / 2;
+    return std::min(a, b) > 0 && std::min(a, b) >= kLong * 2 * area / (a + b);
   }
 
   void growTo(Strip& strip, Stop a, Stop b, int way, int sense) {
@@ -170,7 +178,7 @@ class Bridging {
       std::tie(a, b) = ahead[k];
       if (!closes) continue;
       for (const std::uint32_t e : {a, prev(a)})  // where the two rims are one it uses the edge between them
-        if (isBetween(e, vertex(a), vertex(b))) strip.edges.push_back(e);
+        if (isBetween(e, vertex(a), vertex(b))) use(strip, e);
       return;
     }
   }
@@ -180,25 +188,24 @@ class Bridging {
     const int go = k == 0 ? way : way * sense;
     const Stop from = k == 0 ? a : b, to = step(from, go), other = k == 0 ? b : a;
     const std::uint32_t e = edgeOf(from, go);
-    if (used_[e] != 0 || std::find(strip.edges.begin(), strip.edges.end(), e) != strip.edges.end())
-      return false;
+    if (used_[e] != 0) return false;
     const VertexId v = vertex(to), w = vertex(other);
     if (v == w || usesOf(strip, to, other) > 1) return false;
-    if (usesOf(strip, to, other) == 1 && isUsedRimEdge(strip, to, other)) return false;
-    const double gap = gapAt(point(to), other, k == 0 ? way * sense : way);
-    if (gap > distance_) return false;
+    const bool closes = usesOf(strip, to, other) == 1;
+    if (closes && isUsedRimEdge(to, other)) return false;
+    if (!closes && gapAt(to, other, k == 0 ? way * sense : way) > distance_) return false;
     const Vec3 u = along(e), up = at_[w] - point(from);
     if ((up - up.dot(u) * u).normalized().dot(inward(e)) > kFolded) return false;
     return additions_.isFree({vertex(from), v, w});
   }
 
-  // From a point to the rim near `s`, `way` along it.
-  [[nodiscard]] double gapAt(const Vec3& p, Stop s, int way) const {
+  // From stop `p` to the rim near `s`, `way` along it.
+  [[nodiscard]] double gapAt(Stop p, Stop s, int way) const {
     Stop from = step(s, -way);
     double least = std::numeric_limits<double>::infinity();
     for (int i = 0; i <= kAhead; ++i) {
       const Stop to = step(from, way);
-      least = std::min(least, toSegment(p, point(from), point(to)));
+      if (from != p && to != p) least = std::min(least, toSegment(point(p), point(from), point(to)));
       from = to;
     }
     return least;
@@ -210,13 +217,16 @@ class Bridging {
     // The strip's triangles run against the first rim's edges.
     const VertexId x = vertex(k == 0 ? to : other), y = vertex(from), z = vertex(k == 0 ? other : to);
     strip.triangles.push_back(way > 0 ? Triangle{x, y, z} : Triangle{x, z, y});
-    strip.edges.push_back(edgeOf(from, go));
+    use(strip, edgeOf(from, go));
     strip.length[k] += (point(to) - point(from)).norm();
-    strip.gaps += gapAt(point(to), other, k == 0 ? way * sense : way);
     ++count(strip, to, other);
   }
 
   // --- edges ---
+  void use(Strip& strip, std::uint32_t e) {
+    used_[e] = 1;
+    strip.edges.push_back(e);
+  }
   [[nodiscard]] int& count(Strip& strip, Stop a, Stop b) const {
     return strip.uses[std::minmax(vertex(a), vertex(b))];
   }
@@ -232,10 +242,9 @@ class Bridging {
     const RimEdge& edge = rim_.edges[e];
     return (edge.from == v && edge.to == w) || (edge.from == w && edge.to == v);
   }
-  [[nodiscard]] bool isUsedRimEdge(const Strip& strip, Stop a, Stop b) const {
+  [[nodiscard]] bool isUsedRimEdge(Stop a, Stop b) const {
     for (const std::uint32_t e : {a, prev(a)})
-      if (isBetween(e, vertex(a), vertex(b)))
-        return used_[e] != 0 || std::find(strip.edges.begin(), strip.edges.end(), e) != strip.edges.end();
+      if (isBetween(e, vertex(a), vertex(b))) return used_[e] != 0;
     return false;
   }
 
