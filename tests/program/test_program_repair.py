@@ -108,7 +108,7 @@ class Repair(ProgramCase):
         write_off(self.folder / "in.off", (vertices, [*triangles, triangles[0]]))
         for name in ("out-1.stl", "out-2.stl", "out-3.stl"):
             (self.folder / name).unlink()
-        sentence = self.assert_fails(self.run_program("in.off", "out.stl", "--thickness", 0.2, "--sheets"), 3, "not-manifold")
+        sentence = self.assert_fails(self.run_program("in.off", "out.stl", "--thickness", 0.2, "--sheets"), 3, "degenerate")
         self.assertRegex(sentence, r"sheet 1 of \d")
         self.assert_leaves({"in.off"})
 

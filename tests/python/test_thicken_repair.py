@@ -9,6 +9,12 @@ from ThickenWorkbench import ThickenError, check_mesh, divide_into_sheets, repai
 from thicken_judge import is_closed_and_oriented, keeps
 from thicken_surfaces import crossing_plates, fin, plate, together
 
+# A wall on the middle line of a floor: three triangles at an edge.
+TEE = (
+    [[0, 0, 0], [2, 0, 0], [4, 0, 0], [0, 4, 0], [2, 4, 0], [4, 4, 0], [2, 0, 2], [2, 4, 2]],
+    [[0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4], [1, 4, 7], [1, 7, 6]],
+)
+
 
 class Repair(unittest.TestCase):
     def test_removes_what_crosses_and_says_so(self):
@@ -41,7 +47,7 @@ class Repair(unittest.TestCase):
 
     def test_adds_strips_and_patches(self):
         vertices, triangles = plate()
-        holed = np.delete(triangles, [84, 85], 0)
+        holed = np.delete(triangles, [45, 145], 0)  # a cell in the middle
         beside = vertices + [np.ptp(vertices[:, 0]) + 0.5, 0, 0]
         both = together((vertices, holed), (beside, triangles))
         mended = repair_mesh(*both, bridge=1, fill_holes=10)
@@ -61,18 +67,15 @@ class Repair(unittest.TestCase):
         self.assertAlmostEqual(near["distance_mm"], 0.01, 4)
 
     def test_strict_refuses_what_lost_much(self):
-        loses = together(crossing_plates(), fin())
-        lost = repair_mesh(*loses).report["removed_area_mm2"] / check_mesh(*loses)["input"]["area_mm2"]
+        lost = repair_mesh(*TEE).report["removed_area_mm2"] / check_mesh(*TEE)["input"]["area_mm2"]
         self.assertGreater(lost, 0.05, "choose a surface that loses more")
-        thicken_mesh(*loses, 0.5, repair=True, method="sweep")
+        thicken_mesh(*TEE, 0.1, repair=True, method="sweep")
         with self.assertRaises(ThickenError) as caught:
-            thicken_mesh(*loses, 0.5, repair=True, strict=True, method="sweep")
+            thicken_mesh(*TEE, 0.1, repair=True, strict=True, method="sweep")
         self.assertEqual(caught.exception.code, "no-solid")
 
     def test_divides_into_sheets(self):
-        vertices = [[0, 0, 0], [2, 0, 0], [4, 0, 0], [0, 4, 0], [2, 4, 0], [4, 4, 0], [2, 0, 2], [2, 4, 2]]
-        triangles = [[0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4], [1, 4, 7], [1, 7, 6]]
-        sheets = divide_into_sheets(vertices, triangles)
+        sheets = divide_into_sheets(*TEE)
         self.assertEqual([len(t) for _, t in sheets], [4, 2])
         for sheet in sheets:
             self.assertEqual(check_mesh(*sheet)["defects"], [])
