@@ -85,6 +85,8 @@ class Bridging {
     return (up - up.dot(u) * u).normalized();
   }
 
+  [[nodiscard]] Vec3 normal(std::uint32_t e) const { return inward(e).cross(along(e)); }
+
   void place() {
     begin_.resize(rim_.edges.size());
     end_.resize(rim_.edges.size());
@@ -139,6 +141,8 @@ class Bridging {
   // --- a strip ---
   bool grow(const Seed& seed) {
     const int sense = along(seed.a).dot(along(seed.b)) > 0 ? 1 : -1;
+    // Rims that run the same way are those of sheets of opposite sense; where they are not, it is a corner.
+    if (normal(seed.a).dot(normal(seed.b)) * sense >= 0) return false;
     if (turnsOnItself(seed, sense) || usesOf({}, seed.a, seed.b) != 0) return false;
     Strip strip;
     ++count(strip, seed.a, seed.b);
