@@ -174,10 +174,6 @@ std::string text(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace
-
-namespace {
-
 Json reportOf(const Report& report) {
   Json json = head("ok");
   json["input"] = surfaceFacts(report.input);

@@ -342,6 +342,9 @@ Solid thickenKnown(const TriangleMesh& input, const Options& options, RunContext
   }
   solid.report.nearRims = near;
   addWarnings(solid.report);
+  if (known.repair)
+    for (std::string& told : repairing::additions(*known.repair))
+      solid.report.warnings.push_back(std::move(told));
   if (const std::optional<std::string> why = repairing::shortcoming(solid)) {
     if (options.strict) throw Error(ErrorCode::kNoSolid, *why);
     solid.report.warnings.push_back(*why);

@@ -130,6 +130,8 @@ TEST(RepairFillsHoles, KeepsThePatchInTheSolid) {
   ASSERT_TRUE(solid.report.repair.has_value());
   EXPECT_EQ(solid.report.repair->surface.rims, 1u);
   EXPECT_GE(solid.report.repair->added.triangles, 4u);
+  const auto tells = [](const std::string& text) { return text.find("1 holes filled") != std::string::npos; };
+  EXPECT_TRUE(std::any_of(solid.report.warnings.begin(), solid.report.warnings.end(), tells));
   const auto original = std::count(solid.region.begin(), solid.region.end(), Region::kOriginal);
   EXPECT_EQ(static_cast<std::size_t>(original), solid.report.repair->surface.triangles);
 }

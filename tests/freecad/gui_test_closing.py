@@ -5,7 +5,6 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import Mesh
 import numpy as np
-from pivy import coin
 
 import ThickenWorkbench
 from ThickenWorkbench import native
@@ -19,9 +18,8 @@ from thicken_surfaces import crossing_plates, plate, saddle, together
 
 
 def _colour(node):
-    """The first diffuse colour in a node."""
-    (material,) = [child for child in node.getChildren() if child.isOfType(coin.SoMaterial.getClassTypeId())]
-    return material.diffuseColor[0].getValue()
+    """Of the material that a node of triangles begins with."""
+    return node.getChild(0).diffuseColor[0].getValue()
 
 
 class ClosedByAMacro(GuiCase):

@@ -22,8 +22,7 @@ void addRepair(Report& report) {
   const double share = report.input.area > 0 ? facts.removedArea / report.input.area : 0;
   report.warnings.push_back(
       fmt::format("the surface was repaired ({}): {} triangles with {} of its area were removed", changes,
-                  facts.removed, percentText(share)) +
-      (facts.added.triangles > 0 ? fmt::format(", {} were added", facts.added.triangles) : ""));
+                  facts.removed, percentText(share)));
 }
 
 void addThinPlaces(Report& report) {
