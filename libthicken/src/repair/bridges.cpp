@@ -49,6 +49,7 @@ class Bridging {
         edges_(piece.mesh.positions.size(), piece.mesh.triangles, piece.present),
         additions_(piece, threads),
         used_(rim_.edges.size(), 0),
+        failed_(rim_.edges.size(), 0),
         partOf_(partsOfPiece(piece)),
         joined_(piece.mesh.triangles.size()),
         turned_(piece.mesh.triangles.size(), 0) {
@@ -60,7 +61,7 @@ class Bridging {
     for (const Seed& seed : seeds()) {
       context.throwIfCancelled();
       if (used_[seed.a] + used_[prev(seed.a)] == 2 || used_[seed.b] + used_[prev(seed.b)] == 2) continue;
-      strips += grow(seed);
+      if (failed_[seed.a] == 0) strips += grow(seed);
     }
     return strips;
   }
@@ -148,7 +149,10 @@ class Bridging {
     ++count(strip, seed.a, seed.b);
     for (const int way : {1, -1}) growTo(strip, seed.a, seed.b, way, sense);
     if (!isLong(strip) || !additions_.fits(strip.triangles)) {
-      for (const std::uint32_t e : strip.edges) used_[e] = 0;
+      for (const std::uint32_t e : strip.edges) {
+        used_[e] = 0;
+        failed_[e] = 1;
+      }
       return false;
     }
     additions_.add(strip.triangles, RepairKind::kBridged);
@@ -276,7 +280,8 @@ class Bridging {
   Rim rim_;
   HalfEdges edges_;
   Additions additions_;
-  std::vector<std::uint8_t> used_;                  // per rim edge: a strip is there
+  std::vector<std::uint8_t> used_;    // per rim edge: a strip is there
+  std::vector<std::uint8_t> failed_;  // per rim edge: a strip along it was given up; another would be, too
   std::set<std::pair<VertexId, VertexId>> strips_;  // edges of earlier strips from one rim to the other
   std::vector<std::uint32_t> begin_, end_;          // per rim edge: those of its loop
   std::vector<double> way_;                         // mm along all rims up to an edge
