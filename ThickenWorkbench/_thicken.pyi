@@ -42,6 +42,9 @@ def thicken(
     smooth: int | None = None,
     repair: bool = False,
     weld: float | None = None,
+    bridge: float | None = None,
+    fill_holes: float | None = None,
+    strict: bool = False,
     join: str | None = None,
     threads: int = 0,
     context: RunContext | None = None,
@@ -67,9 +70,14 @@ def repair_mesh(
     triangles: ArrayLike,
     *,
     weld: float | None = None,
+    bridge: float | None = None,
+    fill_holes: float | None = None,
     threads: int = 0,
     context: RunContext | None = None,
 ) -> dict[str, Any]: ...
+def divide_into_sheets(
+    vertices: ArrayLike, triangles: ArrayLike
+) -> list[tuple[NDArray[np.float64], NDArray[np.int64]]]: ...
 def weld(vertices: ArrayLike, triangles: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.int64]]: ...
 def read_mesh(path: str | PathLike[str]) -> tuple[NDArray[np.float64], NDArray[np.int64]]: ...
 def write_mesh(path: str | PathLike[str], vertices: ArrayLike, triangles: ArrayLike) -> None: ...

@@ -46,7 +46,7 @@ class RepairedMesh(NamedTuple):
 
     vertices: NDArray[np.float64]  #: n × 3
     triangles: NDArray[np.int64]  #: m × 3
-    origin: NDArray[np.int64]  #: the triangle of the given surface that each one is, or is a part of
+    origin: NDArray[np.int64]  #: the triangle of the given surface that each one is, or is a part of; -1: added
     report: dict[str, Any]  #: the entry "repair" of docs/report.md
 
 
@@ -102,6 +102,9 @@ def thicken_mesh(
     smooth: int | None = None,
     repair: bool = False,
     weld: float | None = None,
+    bridge: float | None = None,
+    fill_holes: float | None = None,
+    strict: bool = False,
     join: Literal["mitre", "round"] | None = None,
     threads: int = 0,
     memory: float | None = None,
@@ -115,6 +118,7 @@ def thicken_mesh(
     else, with "double" its coordinates stay; new vertices hold float values in either case.
     `join`: what the shell is like outside of convex edges and corners: "mitre", planes up to twice the thickness
     away (the default), or "round" (the default with `tolerance` and for "reconstruct").
+    `weld`, `bridge` and `fill_holes`: with `repair`, as in repair_mesh(); `strict` refuses a solid that lost much by it.
     `memory` is a limit in MiB. `context` polls and cancels the run from another thread; Ctrl-C
     ends it as well. Other Python threads run meanwhile.
 
@@ -140,6 +144,9 @@ def thicken_mesh(
         smooth=smooth,
         repair=repair,
         weld=weld,
+        bridge=bridge,
+        fill_holes=fill_holes,
+        strict=strict,
         join=join,
         threads=threads,
         context=context,
@@ -162,16 +169,31 @@ def repair_mesh(
     triangles: ArrayLike,
     *,
     weld: float | None = None,
+    bridge: float | None = None,
+    fill_holes: float | None = None,
     threads: int = 0,
     context: RunContext | None = None,
 ) -> RepairedMesh:
     """Return the surface without defects that docs/repair.md describes, as thicken_mesh(repair=True) uses it.
 
-    `weld`: the farthest, in mm, that corners of rims may be apart to be one. A valid surface comes back as weld_mesh()
-    returns it. Raises ThickenError, with the code of the first defect, where nothing would remain.
+    In mm: `weld`, the farthest that rims may be apart to be joined; `bridge`, the widest gap to be closed by a strip
+    between rims that run beside each other; `fill_holes`, the length that rims to be closed are shorter than. A valid
+    surface comes back as weld_mesh() returns it where none of these is given. Raises ThickenError, with the code of the first defect, where nothing would remain.
     """
-    mended = native.load().repair_mesh(vertices, triangles, weld=weld, threads=threads, context=context)
+    mended = native.load().repair_mesh(
+        vertices, triangles, weld=weld, bridge=bridge, fill_holes=fill_holes, threads=threads, context=context
+    )
     return RepairedMesh(**mended)
+
+
+def divide_into_sheets(
+    vertices: ArrayLike, triangles: ArrayLike
+) -> list[tuple[NDArray[np.float64], NDArray[np.int64]]]:
+    """Return the sheets of a surface that has edges of three and more triangles, the largest first.
+
+    Each can be thickened by itself, with repair=True where it has other defects, and a slicer unites the solids.
+    """
+    return native.load().divide_into_sheets(vertices, triangles)
 
 
 def weld_mesh(vertices: ArrayLike, triangles: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.int64]]:

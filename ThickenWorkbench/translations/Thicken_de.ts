@@ -153,7 +153,6 @@
     </message>
     <message>
         <source>Repair Surface</source>
-        <extracomment>degrees: what a patch ends at</extracomment>
         <translation>Fläche reparieren</translation>
     </message>
     <message>
@@ -598,10 +597,6 @@
         <translation>Ecken von Rändern automatisch verschweißen</translation>
     </message>
     <message>
-        <source>The farthest that corners of rims may be apart to become one</source>
-        <translation>Wie weit Ecken von Rändern höchstens auseinanderliegen dürfen, um eine zu werden</translation>
-    </message>
-    <message>
         <source>Save...</source>
         <translation>Speichern...</translation>
     </message>
@@ -811,6 +806,75 @@
     <message>
         <source>“{label}” is a link that scales. Make a copy of “{linked}” in that size instead.</source>
         <translation>„{label}“ ist eine Verknüpfung mit Skalierung. Bitte stattdessen eine Kopie von „{linked}“ in dieser Größe machen.</translation>
+    </message>
+    <message>
+        <source>Triangles removed of a sheet that lay on a larger one</source>
+        <translation>Entfernte Dreiecke einer Fläche, die auf einer größeren lag</translation>
+    </message>
+    <message>
+        <source>Triangles removed of small parts that came off</source>
+        <translation>Entfernte Dreiecke kleiner Teile, die sich gelöst haben</translation>
+    </message>
+    <message>
+        <source>Triangles removed to give a border straight runs</source>
+        <translation>Entfernte Dreiecke, damit ein Rand gerade verläuft</translation>
+    </message>
+    <message>
+        <source>Triangles added in strips across gaps</source>
+        <translation>Hinzugefügte Dreiecke in Streifen über Spalte</translation>
+    </message>
+    <message>
+        <source>Triangles added in holes</source>
+        <translation>Hinzugefügte Dreiecke in Löchern</translation>
+    </message>
+    <message>
+        <source>Corners near another rim that could not be joined</source>
+        <translation>Ecken nahe einem anderen Rand, die nicht verbunden werden konnten</translation>
+    </message>
+    <message>
+        <source>Holes that no patch fits into</source>
+        <translation>Löcher, in die kein Flicken passt</translation>
+    </message>
+    <message>
+        <source>removed</source>
+        <extracomment>degrees: what a patch ends at</extracomment>
+        <translation>entfernt</translation>
+    </message>
+    <message>
+        <source>added</source>
+        <translation>hinzugefügt</translation>
+    </message>
+    <message>
+        <source>joined</source>
+        <translation>verbunden</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>belassen</translation>
+    </message>
+    <message>
+        <source>The farthest that rims may be apart to be joined</source>
+        <translation>So weit dürfen Ränder höchstens auseinander liegen, um verbunden zu werden</translation>
+    </message>
+    <message>
+        <source>The widest gap between rims to be closed by a strip of triangles; 0: none</source>
+        <translation>Der breiteste Spalt zwischen Rändern, den ein Streifen aus Dreiecken schließt; 0: keiner</translation>
+    </message>
+    <message>
+        <source>Rims that are shorter than this are closed by a patch; 0: none</source>
+        <translation>Kürzere Ränder werden mit einem Flicken geschlossen; 0: keine</translation>
+    </message>
+    <message>
+        <source>Join rims within</source>
+        <translation>Ränder verbinden bis</translation>
+    </message>
+    <message>
+        <source>Bridge gaps up to</source>
+        <translation>Spalte überbrücken bis</translation>
+    </message>
+    <message>
+        <source>Fill holes with a rim below</source>
+        <translation>Löcher füllen mit Rand unter</translation>
     </message>
 </context>
 <context>

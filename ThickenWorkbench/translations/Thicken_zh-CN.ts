@@ -153,7 +153,6 @@
     </message>
     <message>
         <source>Repair Surface</source>
-        <extracomment>degrees: what a patch ends at</extracomment>
         <translation>修复曲面</translation>
     </message>
     <message>
@@ -598,10 +597,6 @@
         <translation>自动焊接边缘角点</translation>
     </message>
     <message>
-        <source>The farthest that corners of rims may be apart to become one</source>
-        <translation>边缘角点可合并的最大距离</translation>
-    </message>
-    <message>
         <source>Save...</source>
         <translation>保存...</translation>
     </message>
@@ -811,6 +806,75 @@
     <message>
         <source>“{label}” is a link that scales. Make a copy of “{linked}” in that size instead.</source>
         <translation>“{label}” 是带缩放的链接。请改为创建该尺寸的 “{linked}” 副本。</translation>
+    </message>
+    <message>
+        <source>Triangles removed of a sheet that lay on a larger one</source>
+        <translation>从位于较大片上的片中删除的三角形</translation>
+    </message>
+    <message>
+        <source>Triangles removed of small parts that came off</source>
+        <translation>从脱落的小部分中删除的三角形</translation>
+    </message>
+    <message>
+        <source>Triangles removed to give a border straight runs</source>
+        <translation>为使边界平直而删除的三角形</translation>
+    </message>
+    <message>
+        <source>Triangles added in strips across gaps</source>
+        <translation>在跨越间隙的条带中添加的三角形</translation>
+    </message>
+    <message>
+        <source>Triangles added in holes</source>
+        <translation>在孔中添加的三角形</translation>
+    </message>
+    <message>
+        <source>Corners near another rim that could not be joined</source>
+        <translation>靠近另一边缘但无法连接的角点</translation>
+    </message>
+    <message>
+        <source>Holes that no patch fits into</source>
+        <translation>无法放入补片的孔</translation>
+    </message>
+    <message>
+        <source>removed</source>
+        <extracomment>degrees: what a patch ends at</extracomment>
+        <translation>已删除</translation>
+    </message>
+    <message>
+        <source>added</source>
+        <translation>已添加</translation>
+    </message>
+    <message>
+        <source>joined</source>
+        <translation>已连接</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>保留</translation>
+    </message>
+    <message>
+        <source>The farthest that rims may be apart to be joined</source>
+        <translation>边缘可被连接的最大间距</translation>
+    </message>
+    <message>
+        <source>The widest gap between rims to be closed by a strip of triangles; 0: none</source>
+        <translation>用三角形条带闭合的边缘之间的最大间隙；0：无</translation>
+    </message>
+    <message>
+        <source>Rims that are shorter than this are closed by a patch; 0: none</source>
+        <translation>短于此长度的边缘用补片闭合；0：无</translation>
+    </message>
+    <message>
+        <source>Join rims within</source>
+        <translation>连接边缘，距离不超过</translation>
+    </message>
+    <message>
+        <source>Bridge gaps up to</source>
+        <translation>桥接间隙，不超过</translation>
+    </message>
+    <message>
+        <source>Fill holes with a rim below</source>
+        <translation>填充边缘短于此值的孔</translation>
     </message>
 </context>
 <context>

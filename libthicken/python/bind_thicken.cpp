@@ -48,7 +48,8 @@ py::dict thickenArrays(const py::object& vertices, const py::object& triangles, 
                        const std::string& side, const std::string& method, const std::string& precision,
                        std::optional<double> cell, std::optional<int> resolution,
                        std::optional<double> tolerance, std::optional<int> smooth, bool repair,
-                       std::optional<double> weldDistance, const std::optional<std::string>& join,
+                       std::optional<double> weldDistance, std::optional<double> bridge,
+                       std::optional<double> fillHoles, bool strict, const std::optional<std::string>& join,
                        int threads, const std::optional<RunContext>& context) {
   if (!std::isfinite(thickness) || thickness <= 0)
     throw py::value_error("thickness must be a finite length above 0 mm");
@@ -64,6 +65,9 @@ py::dict thickenArrays(const py::object& vertices, const py::object& triangles, 
   options.smooth = smooth;
   options.repair = repair;
   options.weld = weldDistance;
+  options.bridge = bridge;
+  options.fillHoles = fillHoles;
+  options.strict = strict;
   options.threads = threads;
   const RunContext run = context.value_or(RunContext());
   const TriangleMesh surface = meshFrom(vertices, triangles);
@@ -93,7 +97,12 @@ py::object checkArrays(const py::object& vertices, const py::object& triangles, 
                        const std::optional<RunContext>& context) {
   const RunContext run = context.value_or(RunContext());
   const TriangleMesh mesh = meshFrom(vertices, triangles);
-  return fromJson(toJson(runInterruptibly(run, [&] { return check(weld(mesh), run, threads); })));
+  return fromJson(toJson(runInterruptibly(run, [&] {
+    const TriangleMesh welded = weld(mesh);
+    CheckResult result = check(welded, run, threads);
+    result.nearRims = nearRims(welded, run, threads);
+    return result;
+  })));
 }
 
 py::tuple weldArrays(const py::object& vertices, const py::object& triangles) {
@@ -114,6 +123,7 @@ void bindThicken(py::module_& module) {
              arg("side") = "negative", arg("method") = "auto", arg("precision") = "single",
              arg("cell") = py::none(), arg("resolution") = py::none(), arg("tolerance") = py::none(),
              arg("smooth") = py::none(), arg("repair") = false, arg("weld") = py::none(),
+             arg("bridge") = py::none(), arg("fill_holes") = py::none(), arg("strict") = false,
              arg("join") = py::none(), arg("threads") = 0, arg("context") = py::none(),
              "Thicken a surface; returns a dict of vertices, triangles, region, depth and report.");
   module.def("forecast", &forecastOf, arg("triangles"), arg("area"), arg("thickness"), py::kw_only(),

@@ -57,6 +57,12 @@ void requireValid(const Options& options) {
   if (options.strict && !options.repair) refuse("strict judges what a repair made; ask for the repair, too");
   if (options.weld && !options.repair)
     refuse("a distance to weld corners over is part of a repair; ask for the repair, too");
+  if ((options.bridge || options.fillHoles) && !options.repair)
+    refuse("strips across gaps and patches in holes are part of a repair; ask for the repair, too");
+  for (const auto& [length, what] : {std::pair{options.bridge, "the width of gaps to bridge"},
+                                     std::pair{options.fillHoles, "the length of the rims of holes to fill"}})
+    if (length && (!std::isfinite(*length) || *length <= 0))
+      refuse(fmt::format("{} must be a positive number of millimetres, not {}", what, *length));
   if (options.weld && (!std::isfinite(*options.weld) || *options.weld < 0))
     refuse(
         fmt::format("the distance to weld corners over must be 0 or a positive number of millimetres, not {}",

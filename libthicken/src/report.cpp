@@ -141,6 +141,7 @@ Json repairFacts(const std::optional<RepairFacts>& facts) {
     for (const Vec3& place : change.places) places.push_back(toPlace(place));
     changes.push_back({{"kind", name(change.kind)},
                        {"removed", removes(change.kind)},
+                       {"added", adds(change.kind)},
                        {"count", change.count},
                        {"area_mm2", change.area},
                        {"triangles", change.triangles},
@@ -148,7 +149,15 @@ Json repairFacts(const std::optional<RepairFacts>& facts) {
   }
   Json left = Json::array();
   for (const Vec3& place : facts->seams.leftPlaces) left.push_back(toPlace(place));
-  return {{"weld_distance_mm", facts->weldDistance},
+  Json open = Json::array();
+  for (const Vec3& place : facts->added.leftPlaces) open.push_back(toPlace(place));
+  return {{"added_triangles", facts->added.triangles},
+          {"added_area_mm2", facts->added.area},
+          {"strips", facts->added.strips},
+          {"filled_holes", facts->added.holes},
+          {"left_holes", facts->added.left},
+          {"left_hole_places_mm", open},
+          {"weld_distance_mm", facts->weldDistance},
           {"joined_edges", facts->seams.joinedEdges},
           {"left_corners", facts->seams.left},
           {"left_places_mm", left},
@@ -173,9 +182,7 @@ std::string text(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace
-
-std::string toJson(const Report& report, const FileFacts& files) {
+Json reportOf(const Report& report, const FileFacts& files) {
   Json json = head("ok");
   json["key"] = known(files.key);
   json["input"] = surfaceFacts(report.input);
@@ -201,6 +208,19 @@ std::string toJson(const Report& report, const FileFacts& files) {
   json["audit"] = verdicts(report.audit);
   json["fallbacks"] = fallbackFacts(report.fallbacks);
   json["warnings"] = report.warnings;
+  return json;
+}
+
+}  // namespace
+
+std::string toJson(const Report& report, const FileFacts& files) {
+  return text(reportOf(report, files));
+}
+
+std::string toJson(std::span<const Report> sheets, const FileFacts& files) {
+  Json json = head("ok");
+  json["sheets"] = Json::array();
+  for (const Report& report : sheets) json["sheets"].push_back(reportOf(report, files));
   return text(json);
 }
 

@@ -117,8 +117,10 @@ RepairResult validSurface(TriangleMesh surface, const Options& options, RunConte
   watch.lap("check");
   known.input = checked.facts;
   if (!options.repair && !checked.valid()) throwDefects(std::move(checked.defects));
-  if (options.repair && (options.weld || !checked.valid())) {
-    RepairResult mended = repair(surface, {options.weld}, context, threads);
+  const bool joins = options.weld || options.bridge || options.fillHoles;
+  if (options.repair && (joins || !checked.valid())) {
+    RepairResult mended =
+        repair(surface, {options.weld, options.bridge, options.fillHoles}, context, threads);
     known.repair = mended.facts;
     watch.lap("repair");
     return mended;
@@ -399,6 +401,9 @@ Solid thickenKnown(const TriangleMesh& input, const Options& options, RunContext
   }
   solid.report.nearRims = near;
   addWarnings(solid.report);
+  if (known.repair)
+    for (std::string& told : repairing::additions(*known.repair))
+      solid.report.warnings.push_back(std::move(told));
   if (const std::optional<std::string> why = repairing::shortcoming(solid)) {
     if (options.strict) throw Error(ErrorCode::kNoSolid, *why);
     solid.report.warnings.push_back(*why);

@@ -9,6 +9,7 @@
 
 #include "cut_surfaces.h"
 #include "plain_shapes.h"
+#include "repair_options.h"
 #include "thicken/repair.h"
 #include "thicken/thicken.h"
 
@@ -26,7 +27,7 @@ TEST(RepairSeams, JoinsSurfacesCutAlongRandomCurves) {
     for (unsigned seed = 1; seed <= kSeeds; ++seed) {
       SCOPED_TRACE(testing::Message() << "seed " << seed << ", jitter " << jitter);
       const CutSurface cut = SurfaceCutter(seed, jitter).make();
-      const RepairResult result = repair(weld(cut.mesh), {2 * jitter * cut.meanEdge}, {}, 1);
+      const RepairResult result = repair(weld(cut.mesh), weldOver(2 * jitter * cut.meanEdge), {}, 1);
       EXPECT_TRUE(check(result.mesh, {}, 1).valid());
       joined += result.facts.surface.components == cut.components;
     }
@@ -40,7 +41,7 @@ TEST(RepairSeams, MakesNoNewCornersAndMovesNoneFarther) {
   const CutSurface cut = SurfaceCutter(3, jitter).make();
   const double distance = 2 * jitter * cut.meanEdge;
   const TriangleMesh given = weld(cut.mesh);
-  const RepairResult result = repair(given, {distance});
+  const RepairResult result = repair(given, weldOver(distance));
   ASSERT_EQ(result.facts.removed, 0u) << "choose a seed whose seam is clean";
   EXPECT_GT(result.facts.seams.joinedEdges, 0u);
   std::set<std::array<double, 3>> corners;
@@ -61,7 +62,7 @@ TriangleMesh sideBySide(double gap) {
 }
 
 TEST(RepairSeams, DividesTheEdgesOfBothRims) {
-  const RepairResult result = repair(sideBySide(0.01), {0.02});
+  const RepairResult result = repair(sideBySide(0.01), weldOver(0.02));
   EXPECT_EQ(result.facts.surface.components, 1u);
   EXPECT_EQ(result.facts.surface.rims, 1u);
   EXPECT_EQ(result.facts.removed, 0u);
@@ -70,7 +71,7 @@ TEST(RepairSeams, DividesTheEdgesOfBothRims) {
 }
 
 TEST(RepairSeams, JoinsNothingBeyondTheDistance) {
-  const RepairResult result = repair(sideBySide(0.01), {0.009});
+  const RepairResult result = repair(sideBySide(0.01), weldOver(0.009));
   EXPECT_EQ(result.facts.surface.components, 2u);
   EXPECT_TRUE(result.facts.changes.empty());
 }
@@ -79,7 +80,7 @@ TEST(RepairSeams, JoinsThreePanelsWhereTheyMeet) {
   TriangleMesh mesh = sideBySide(0.01);
   TriangleMesh top = shapes::flatSheet(11, 3, 0);
   for (Vec3& p : top.positions) p = Vec3(p.x() * 8.01 / 11, p.y() + 4.01, 0);
-  const RepairResult result = repair(weld(shapes::together(mesh, top)), {0.03});
+  const RepairResult result = repair(weld(shapes::together(mesh, top)), weldOver(0.03));
   EXPECT_EQ(result.facts.surface.components, 1u);
   EXPECT_EQ(result.facts.surface.rims, 1u);
   EXPECT_EQ(result.facts.removed, 0u);
@@ -89,14 +90,14 @@ TEST(RepairSeams, JoinsPanelsOfOppositeSense) {
   TriangleMesh right = shapes::flatSheet(3, 5, 0);
   for (Vec3& p : right.positions) p = Vec3(p.x() + 4.01, p.y() * 4 / 5, 0);
   const RepairResult result =
-      repair(weld(shapes::together(shapes::flatSheet(4, 4, 0), shapes::reversed(right))), {0.02});
+      repair(weld(shapes::together(shapes::flatSheet(4, 4, 0), shapes::reversed(right))), weldOver(0.02));
   EXPECT_EQ(result.facts.surface.components, 1u);
   EXPECT_EQ(result.facts.removed, 0u);
 }
 
 TEST(RepairSeams, LeavesSheetsThatLieOnEachOther) {
   const TriangleMesh mesh = shapes::together(shapes::flatSheet(4, 4, 0), shapes::flatSheet(4, 4, 0.05));
-  const RepairResult result = repair(mesh, {0.1});
+  const RepairResult result = repair(mesh, weldOver(0.1));
   EXPECT_TRUE(result.facts.changes.empty());
   EXPECT_EQ(result.facts.surface.components, 2u);
   EXPECT_EQ(nearRims(mesh).corners, 0u);
@@ -105,7 +106,7 @@ TEST(RepairSeams, LeavesSheetsThatLieOnEachOther) {
 TEST(RepairSeams, LeavesANarrowStripOpen) {
   TriangleMesh strip = shapes::flatSheet(20, 1, 0);
   for (Vec3& p : strip.positions) p.y() *= 0.1;
-  const RepairResult result = repair(strip, {0.2});
+  const RepairResult result = repair(strip, weldOver(0.2));
   EXPECT_EQ(result.mesh.triangles.size(), strip.triangles.size());
   EXPECT_EQ(result.facts.surface.rims, 1u);
 }
@@ -115,14 +116,14 @@ TEST(RepairSeams, NamesWhatIsNearAndHowFar) {
   EXPECT_EQ(near.corners, 5u + 8u);
   EXPECT_NEAR(near.distance, 0.01, 1e-12);
   EXPECT_EQ(nearRims(shapes::flatSheet(5, 5, 0)).corners, 0u);
-  const RepairResult joined = repair(sideBySide(0.01), {near.distance});
+  const RepairResult joined = repair(sideBySide(0.01), weldOver(near.distance));
   EXPECT_EQ(joined.facts.surface.components, 1u);
   EXPECT_EQ(nearRims(joined.mesh).corners, 0u);
 }
 
 TEST(RepairSeams, GivesTheSameForAnyNumberOfThreads) {
   const TriangleMesh mesh = weld(SurfaceCutter(9, 0.2).make().mesh);
-  const RepairResult one = repair(mesh, {0.02}, {}, 1), three = repair(mesh, {0.02}, {}, 3);
+  const RepairResult one = repair(mesh, weldOver(0.02), {}, 1), three = repair(mesh, weldOver(0.02), {}, 3);
   EXPECT_EQ(one.mesh.triangles, three.mesh.triangles);
   EXPECT_EQ(one.mesh.positions, three.mesh.positions);
 }

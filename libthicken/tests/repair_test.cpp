@@ -11,6 +11,7 @@
 
 #include "analytic_surfaces.h"
 #include "plain_shapes.h"
+#include "repair_options.h"
 #include "thicken/thicken.h"
 
 namespace thicken {
@@ -107,7 +108,7 @@ TEST(Repair, WeldsCornersThatARoundingTookApart) {
       soup.positions.push_back(whole.positions[v] + Vec3(off(random), off(random), off(random)));
     soup.triangles.push_back({first, first + 1, first + 2});
   }
-  const RepairResult result = repaired(soup, {1e-6});
+  const RepairResult result = repaired(soup, weldOver(1e-6));
   EXPECT_EQ(result.mesh.triangles.size(), whole.triangles.size());
   EXPECT_EQ(result.mesh.positions.size(), whole.positions.size());
   EXPECT_EQ(result.facts.surface.rims, 1u);
@@ -119,11 +120,11 @@ TEST(Repair, WeldsCornersThatARoundingTookApart) {
 TEST(Repair, WeldsNothingBeyondTheDistanceAndNoTriangleAway) {
   TriangleMesh apart = shapes::together(sheet(2, 2), sheet(2, 2));
   for (VertexId v = 9; v < 18; ++v) apart.positions[v] += Vec3(2.01, 0.02, 0);
-  EXPECT_EQ(countOf(repaired(apart, {0.005}), RepairKind::kWelded), 0u);
+  EXPECT_EQ(countOf(repaired(apart, weldOver(0.005)), RepairKind::kWelded), 0u);
   // within the distance the least triangle is much smaller than it: half its edges is the limit
   TriangleMesh small = sheet(3, 3);
   for (Vec3& p : small.positions) p *= 1e-3;
-  const RepairResult result = repaired(small, {1.0});
+  const RepairResult result = repaired(small, weldOver(1.0));
   EXPECT_EQ(result.mesh.triangles.size(), small.triangles.size());
   EXPECT_EQ(countOf(result, RepairKind::kWelded), 0u);
 }
@@ -131,7 +132,7 @@ TEST(Repair, WeldsNothingBeyondTheDistanceAndNoTriangleAway) {
 TEST(Repair, RefusesADistanceThatIsNone) {
   for (const double bad : {-1.0, std::numeric_limits<double>::quiet_NaN()}) {
     try {
-      (void)repair(sheet(2, 2), {bad});
+      (void)repair(sheet(2, 2), weldOver(bad));
       FAIL();
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), ErrorCode::kInvalidArgument);

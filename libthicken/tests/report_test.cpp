@@ -23,6 +23,7 @@ Report sampleReport() {
   report.repair->removed = 2;
   report.repair->changes = {{RepairKind::kSelfIntersecting, 2, 0.5, {3, 4}, {Vec3(1, 2, 3)}}};
   report.repair->surface.triangles = 10;
+  report.repair->added = {6, 1.5, 1, 2, 1, {Vec3(4, 5, 6)}};
   report.thickness = 2;
   report.side = Side::kBoth;
   report.asked = Method::kAuto;
@@ -92,6 +93,13 @@ TEST(Report, HoldsTheFactsUnderTheirNames) {
   EXPECT_EQ(report["repair"]["removed_triangles"], 2);
   EXPECT_EQ(report["repair"]["changes"][0]["kind"], "self-intersecting");
   EXPECT_EQ(report["repair"]["changes"][0]["removed"], true);
+  EXPECT_EQ(report["repair"]["changes"][0]["added"], false);
+  EXPECT_EQ(report["repair"]["added_triangles"], 6);
+  EXPECT_EQ(report["repair"]["added_area_mm2"], 1.5);
+  EXPECT_EQ(report["repair"]["strips"], 1);
+  EXPECT_EQ(report["repair"]["filled_holes"], 2);
+  EXPECT_EQ(report["repair"]["left_holes"], 1);
+  EXPECT_EQ(report["repair"]["left_hole_places_mm"][0], json({4, 5, 6}));
   EXPECT_EQ(report["repair"]["changes"][0]["triangles"], json({3, 4}));
   EXPECT_EQ(report["repair"]["changes"][0]["places_mm"][0], json({1, 2, 3}));
   EXPECT_EQ(report["repair"]["surface"]["triangles"], 10);

@@ -164,6 +164,36 @@ TEST(WriteMesh, Writes3mfThatHoldsTheMesh) {
   zip_discard(archive);
 }
 
+TEST(WriteMeshes, MakesAnObjectOfEachIn3mf) {
+  const ScratchFolder folder;
+  const std::vector<TriangleMesh> meshes{twoTriangles(), {{{7, 0, 0}, {8, 0, 0}, {7, 1, 0}}, {{0, 1, 2}}}};
+  EXPECT_EQ(pathsOfMeshes("a.3mf", 2), (std::vector<fs::path>{"a.3mf"}));
+  writeMeshes(folder / "a.3mf", meshes);
+  int error = 0;
+  zip_t* archive = zip_open((folder / "a.3mf").c_str(), ZIP_RDONLY | ZIP_CHECKCONS, &error);
+  ASSERT_NE(archive, nullptr) << error;
+  const std::string model = unpacked(archive, "3D/3dmodel.model");
+  zip_discard(archive);
+  EXPECT_CONTAINS(model, "<object id=\"1\"");
+  const auto second = model.find("<object id=\"2\"");
+  ASSERT_NE(second, std::string::npos);
+  EXPECT_GT(model.find("x=\"7\""), second);
+  EXPECT_CONTAINS(model, "<item objectid=\"1\"/><item objectid=\"2\"/>");
+}
+
+TEST(WriteMeshes, NumbersFilesOfOtherFormatsAndWritesAllOrNone) {
+  const ScratchFolder folder;
+  const std::vector<TriangleMesh> meshes{twoTriangles(), twoTriangles()};
+  writeMeshes(folder / "a.stl", meshes);
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"a-1.stl", "a-2.stl"}));
+  expectSame(readMesh(folder / "a-2.stl"), twoTriangles());
+  const std::vector<TriangleMesh> bad{twoTriangles(), {{{0.1, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}};
+  EXPECT_THROW(writeMeshes(folder / "b.stl", bad), Error);
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"a-1.stl", "a-2.stl"}));
+  writeMeshes(folder / "c.stl", std::span(meshes).first(1));
+  EXPECT_TRUE(fs::exists(folder / "c.stl")) << "one mesh needs no number";
+}
+
 TEST(WriteMesh, ReplacesAFileWholeOrNotAtAll) {
   const ScratchFolder folder;
   folder.put("a.stl", "what was there");

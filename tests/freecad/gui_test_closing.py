@@ -4,12 +4,23 @@
 import FreeCAD as App
 import FreeCADGui as Gui
 import Mesh
+import numpy as np
+from pivy import coin
 
 import ThickenWorkbench
+from ThickenWorkbench import native
 from ThickenWorkbench.gui import editing
 from ThickenWorkbench.gui.region_colours import painted
+from ThickenWorkbench.gui.repair_marks import ADDED, REMOVED, marks
+from ThickenWorkbench.repair_feature import repair_step
+from ThickenWorkbench.sources import surface_arrays
 from gui_case import GuiCase, process_events, wait_until
-from thicken_surfaces import crossing_plates, plate, saddle
+from thicken_surfaces import crossing_plates, plate, saddle, together
+
+
+def _colour(node):
+    """Of the material that a node of triangles begins with."""
+    return tuple(round(part, 2) for part in node.getChild(0).diffuseColor[0].getValue())
 
 
 class ClosedByAMacro(GuiCase):
@@ -117,6 +128,34 @@ class EditedAgain(GuiCase):
         self.wait_closed()
         self.assertEqual((repaired.WeldAutomatically, repaired.Weld.Value), (False, 0.01))
         self.assertTrue(repaired.Valid)
+
+    def test_repair_is_previewed_in_colours(self):
+        vertices, triangles = plate()
+        holed = np.delete(triangles, [45, 145], 0)
+        crossing, others = crossing_plates()
+        surface = together((vertices, holed), (crossing + np.float32([40, 0, 0]), others))
+        repaired = ThickenWorkbench.make_repair(self.doc, self.add_mesh(surface))
+        before = repaired.ViewObject.RootNode.getNumChildren()
+        Gui.getDocument(self.doc.Name).setEdit(repaired.Name, 0)
+        process_events()
+        panel = editing.current()
+        wait_until(lambda: panel._job is None, "the first preview")
+        self.assertEqual(repaired.ViewObject.RootNode.getNumChildren(), before + 1)
+        status = self.child(panel, "Status")
+        self.assertIn("met others", status.text())
+        self.assertNotIn("added", status.text())
+        self.child(panel, "FillHoles").setProperty("rawValue", 12.0)
+        wait_until(lambda: "added" in status.text(), "the preview of the patch")
+        self.assertEqual((repaired.FillHoles.Value, repaired.Added), (0, 0), "before OK nothing is written")
+        mended = repair_step(repaired.Source, panel.joins())(native.load().RunContext())
+        nodes = marks(surface_arrays(repaired.Source), mended)
+        shown = {_colour(node) for node in nodes if isinstance(node.getChild(0), coin.SoMaterial)}
+        self.assertEqual(shown, {REMOVED, ADDED})
+        self.press("Ok")
+        self.wait_closed()
+        self.assertEqual(repaired.FillHoles.Value, 12)
+        self.assertGreater(repaired.Added, 0)
+        self.assertEqual(repaired.ViewObject.RootNode.getNumChildren(), before)
 
 
 class Narrow(GuiCase):

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The feature that mends a surface."""
 
+import re
+
 import FreeCAD as App
 import numpy as np
 
@@ -9,7 +11,7 @@ from ThickenWorkbench import mesh_io
 from ThickenWorkbench.repair_feature import words
 from ThickenWorkbench.sources import RefusedError
 from thicken_case import DocumentCase
-from thicken_surfaces import crossing_plates, fin, plate
+from thicken_surfaces import crossing_plates, fin, plate, together
 
 
 class Repair(DocumentCase):
@@ -52,6 +54,23 @@ class Repair(DocumentCase):
         self.assertTrue(welded.isValid() and apart_feature.isValid())
         self.assertEqual(welded.Weld.Value, 0.02)
 
+    def test_bridges_gaps_and_fills_holes(self):
+        vertices, triangles = plate()
+        holed = np.delete(triangles, [45, 145], 0)  # a cell in the middle
+        beside = (vertices + np.float32([np.ptp(vertices[:, 0]) + 0.5, 0, 0])).astype(np.float32)
+        source = self.add_source(together((vertices, holed), (beside, triangles)))
+        left = ThickenWorkbench.make_repair(self.doc, source)
+        self.assertEqual((left.Added, left.Changes), (0, []))
+        joined = ThickenWorkbench.make_repair(self.doc, source, bridge=1, fill_holes="10 mm")
+        self.assertTrue(joined.isValid(), joined.getStatusString())
+        self.assertEqual(joined.Mesh.countComponents(), 1)
+        self.assertEqual(joined.TriangleCount, left.TriangleCount + joined.Added)
+        self.assertEqual(len(joined.Changes), 2)
+        self.assertEqual(ThickenWorkbench.check_surface(joined), [])
+        joined.FillHoles = 0
+        self.doc.recompute()
+        self.assertEqual(len(joined.Changes), 1)
+
     def test_refusals(self):
         with self.assertRaises(RefusedError):
             ThickenWorkbench.make_repair(self.doc, None)
@@ -78,5 +97,5 @@ class Repair(DocumentCase):
         from pathlib import Path
 
         text = (Path(__file__).resolve().parents[2] / "docs" / "report.md").read_text()
-        for kind in words():
-            self.assertIn(f"`{kind}`", text)
+        kinds = text[text.index("### Kinds of change") : text.index("## Sheet by sheet")]
+        self.assertEqual(set(re.findall(r"`([a-z-]+)`", kinds)) - {"count", "triangles"}, set(words()))

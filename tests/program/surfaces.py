@@ -32,6 +32,13 @@ def wave(n: int, size: float = 20.0, height: float = 1.5):
 SQUARE = ([(0, 0, 0), (4, 0, 0), (4, 4, 0), (0, 4, 0)], [(0, 1, 2), (0, 2, 3)])
 
 
+# A wall on the middle line of a floor: three triangles at an edge.
+TEE = (
+    [(0, 0, 0), (2, 0, 0), (4, 0, 0), (0, 4, 0), (2, 4, 0), (4, 4, 0), (2, 0, 2), (2, 4, 2)],
+    [(0, 1, 4), (0, 4, 3), (1, 2, 5), (1, 5, 4), (1, 4, 7), (1, 7, 6)],
+)
+
+
 def with_extra(extra_vertices, extra_triangles, base=SQUARE):
     """`base` and more: indices of the extra triangles count on after its vertices."""
     return base[0] + list(extra_vertices), base[1] + list(extra_triangles)

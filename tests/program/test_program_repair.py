@@ -5,7 +5,7 @@ import struct
 import unittest
 
 from program_case import ProgramCase
-from surfaces import SQUARE, wave, with_extra, write_off
+from surfaces import SQUARE, TEE, wave, with_extra, write_off
 
 THORN = with_extra([(1, 1, -1), (1.2, 1, -1), (1.1, 1.1, 1)], [(4, 5, 6)])
 FLIPPED = (SQUARE[0], [(0, 1, 2), (0, 3, 2)])
@@ -58,6 +58,11 @@ class Repair(ProgramCase):
             ["--repaired", "mended.stl"],
             ["--weld", 0.1],
             ["--repair", "--weld", -1],
+            ["--bridge", 1],
+            ["--repair", "--bridge", 0],
+            ["--fill-holes", 1],
+            ["--repair", "--fill-holes", -2],
+            ["--repair", "--sheets", "--repaired", "mended.stl"],
             ["--repair", "--repaired", "in.off"],
             ["--repair", "--repaired", "out.stl"],
             ["--repair", "--repaired", "r.off", "--report", "r.off"],
@@ -66,6 +71,45 @@ class Repair(ProgramCase):
                 self.assert_fails(self.run_program(*good, *wrong), 2, "usage")
         for unwritable in ("mended.xyz", "nowhere/mended.stl"):
             self.assert_fails(self.run_program(*good, "--repair", "--repaired", unwritable), 6, "unwritable")
+        self.assert_leaves({"in.off"})
+
+    def test_bridges_gaps_and_fills_holes(self):
+        vertices, triangles = wave(8)
+        holed = [t for i, t in enumerate(triangles) if i not in (54, 55)]
+        beside = [(x + 20.25, y, z) for x, y, z in vertices]
+        both = vertices + beside, holed + [tuple(v + len(vertices) for v in t) for t in triangles]
+        write_off(self.folder / "in.off", both)
+        self.assert_ok(self.run_program("in.off", "out.ply", "--thickness", 0.5, "--repair", "--report", "report.json"))
+        self.assertEqual(self.report()["repair"]["changes"], [])
+        self.assert_ok(self.run_program("in.off", "out.ply", "--thickness", 0.5, "--repair", "--report", "report.json",
+                                        "--bridge", 0.5, "--fill-holes", 20))  # fmt: skip
+        repair = self.report()["repair"]
+        self.assertEqual((repair["surface"]["components"], repair["surface"]["rims"]), (1, 1))
+        self.assertEqual((repair["strips"], repair["filled_holes"], repair["left_holes"]), (1, 1, 0))
+        self.assertEqual(sum(change["count"] for change in repair["changes"]), repair["added_triangles"])
+        self.assertEqual(repair["surface"]["triangles"], self.report()["output"]["original_triangles"])
+
+    def test_makes_a_solid_of_each_sheet(self):
+        write_off(self.folder / "in.off", TEE)
+        self.assert_fails(self.run_program("in.off", "out.stl", "--thickness", 0.2), 3, "not-manifold")
+        run = self.run_program("in.off", "out.stl", "--thickness", 0.2, "--sheets")
+        self.assert_ok(run)
+        self.assert_leaves({"in.off", "out-1.stl", "out-2.stl"})
+        self.assertEqual(len(run.stdout.splitlines()), 2)
+        floor, wall = read_stl(self.folder / "out-1.stl"), read_stl(self.folder / "out-2.stl")
+        for t in TEE[1]:
+            corners = tuple(sorted(tuple(map(float, TEE[0][v])) for v in t))
+            self.assertIn(corners, floor | wall)
+
+    def test_a_sheet_without_a_solid_leaves_nothing(self):
+        write_off(self.folder / "in.off", with_extra([(1, 1, -1), (1.2, 1, -1), (1.1, 1.1, 1)], [(8, 9, 10)], TEE))
+        self.assert_ok(self.run_program("in.off", "out.stl", "--thickness", 0.2, "--sheets"))
+        vertices, triangles = TEE
+        write_off(self.folder / "in.off", (vertices, [*triangles, triangles[0]]))
+        for name in ("out-1.stl", "out-2.stl", "out-3.stl"):
+            (self.folder / name).unlink()
+        sentence = self.assert_fails(self.run_program("in.off", "out.stl", "--thickness", 0.2, "--sheets"), 3, "degenerate")
+        self.assertRegex(sentence, r"sheet 1 of \d")
         self.assert_leaves({"in.off"})
 
     def test_what_no_repair_helps_keeps_its_code(self):

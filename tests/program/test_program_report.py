@@ -8,7 +8,7 @@ from pathlib import Path
 
 from json_schema import faults
 from program_case import ProgramCase
-from surfaces import SQUARE, wave, with_extra, write_off
+from surfaces import SQUARE, TEE, wave, with_extra, write_off
 
 SCHEMA = json.loads((Path(__file__).parents[2] / "docs/report.schema.json").read_text())
 
@@ -36,6 +36,12 @@ class Schema(ProgramCase):
             with self.subTest(options):
                 self.assert_fits(self.report_of(0, "wave.off", "out.ply", "--thickness", 1, *options))
         self.assert_fits(self.report_of(0, "crossed.off", "out.ply", "--thickness", 1, "--repair"))
+
+    def test_reports_of_sheets_fit(self):
+        write_off(self.folder / "tee.off", TEE)
+        report = self.report_of(0, "tee.off", "out.3mf", "--thickness", 0.2, "--sheets")
+        self.assert_fits(report)
+        self.assertEqual([sheet["input"]["triangles"] for sheet in report["sheets"]], [4, 2])
 
     def test_reports_of_refusals_fit(self):
         self.assert_fits(self.report_of(3, "crossed.off", "out.ply", "--thickness", 1))

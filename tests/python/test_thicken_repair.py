@@ -5,9 +5,15 @@ import unittest
 
 import numpy as np
 
-from ThickenWorkbench import ThickenError, check_mesh, repair_mesh, thicken_mesh
+from ThickenWorkbench import ThickenError, check_mesh, divide_into_sheets, repair_mesh, thicken_mesh
 from thicken_judge import is_closed_and_oriented, keeps
 from thicken_surfaces import crossing_plates, fin, plate, together
+
+# A wall on the middle line of a floor: three triangles at an edge.
+TEE = (
+    [[0, 0, 0], [2, 0, 0], [4, 0, 0], [0, 4, 0], [2, 4, 0], [4, 4, 0], [2, 0, 2], [2, 4, 2]],
+    [[0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4], [1, 4, 7], [1, 7, 6]],
+)
 
 
 class Repair(unittest.TestCase):
@@ -38,6 +44,41 @@ class Repair(unittest.TestCase):
         self.assertEqual(mended.report["surface"]["rims"], 1)
         self.assertEqual(len(mended.vertices), len(vertices))
         self.assertEqual(mended.report["weld_distance_mm"], 0.01)
+
+    def test_adds_strips_and_patches(self):
+        vertices, triangles = plate()
+        holed = np.delete(triangles, [45, 145], 0)  # a cell in the middle
+        beside = vertices + [np.ptp(vertices[:, 0]) + 0.5, 0, 0]
+        both = together((vertices, holed), (beside, triangles))
+        mended = repair_mesh(*both, bridge=1, fill_holes=10)
+        added = mended.origin < 0
+        self.assertEqual(int(added.sum()), mended.report["added_triangles"])
+        np.testing.assert_array_equal(mended.origin[~added], np.arange(len(both[1])))
+        self.assertEqual((mended.report["strips"], mended.report["filled_holes"]), (1, 1))
+        self.assertEqual(check_mesh(mended.vertices, mended.triangles)["defects"], [])
+        solid = thicken_mesh(*both, 1, repair=True, bridge=1, fill_holes=10, method="sweep")
+        self.assertEqual(int((solid.region == 0).sum()), len(mended.triangles))
+
+    def test_check_tells_of_near_rims(self):
+        vertices, triangles = plate()
+        beside = vertices + [np.ptp(vertices[:, 0]) + 0.01, 0, 0]
+        near = check_mesh(*together((vertices, triangles), (beside, triangles)))["near_rims"]
+        self.assertGreater(near["corners"], 10)
+        self.assertAlmostEqual(near["distance_mm"], 0.01, 4)
+
+    def test_strict_refuses_what_lost_much(self):
+        lost = repair_mesh(*TEE).report["removed_area_mm2"] / check_mesh(*TEE)["input"]["area_mm2"]
+        self.assertGreater(lost, 0.05, "choose a surface that loses more")
+        thicken_mesh(*TEE, 0.1, repair=True, method="sweep")
+        with self.assertRaises(ThickenError) as caught:
+            thicken_mesh(*TEE, 0.1, repair=True, strict=True, method="sweep")
+        self.assertEqual(caught.exception.code, "no-solid")
+
+    def test_divides_into_sheets(self):
+        sheets = divide_into_sheets(*TEE)
+        self.assertEqual([len(t) for _, t in sheets], [4, 2])
+        for sheet in sheets:
+            self.assertEqual(check_mesh(*sheet)["defects"], [])
 
     def test_thickens_the_repaired_surface(self):
         vertices, triangles = fin()

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,15 @@ struct MeshFile {
 /// Writes a mesh whole or not at all: into a temporary file beside `path`, which is renamed when
 /// it is complete. Throws Error(kUnwritable).
 void writeMesh(const std::filesystem::path& path, const TriangleMesh& mesh);
+
+/// The files that writeMeshes() writes: `path` where it is one or the format holds several objects (.3mf), else
+/// numbered ones, part-1.stl, part-2.stl, … for part.stl.
+[[nodiscard]] std::vector<std::filesystem::path> pathsOfMeshes(const std::filesystem::path& path,
+                                                               std::size_t count);
+
+/// Writes several meshes, each an object or a file of its own. None of the files appears before all are
+/// complete. Throws Error(kUnwritable).
+void writeMeshes(const std::filesystem::path& path, std::span<const TriangleMesh> meshes);
 
 /// Removes the temporary files of all calls of writeMesh() under way, which may then fail. For a
 /// signal handler that is about to end the process; safe there. Nothing else needs it: writeMesh()

@@ -45,6 +45,8 @@ struct Options {
   std::optional<int> smooth;        ///< rounds of shape optimisation (§4.3); 0 to 100
   bool repair = false;              ///< mend a defective input first and report every change (repair.h)
   std::optional<double> weld;       ///< with repair: mm, RepairOptions::weldDistance
+  std::optional<double> bridge;     ///< with repair: mm, RepairOptions::bridgeDistance
+  std::optional<double> fillHoles;  ///< with repair: mm, RepairOptions::longestHole
   bool strict = false;  ///< refuse a solid that lost too much or is mostly too thin (docs/repair.md)
   int threads = 0;      ///< 0: all that the machine has
 };

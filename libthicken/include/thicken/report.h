@@ -3,6 +3,7 @@
 // Reports as JSON text: one object, documented in docs/report.md.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "thicken/check.h"
@@ -22,6 +23,8 @@ struct FileFacts {
 [[nodiscard]] std::string toJson(const Error& error, const FileFacts& files = {});
 [[nodiscard]] std::string toJson(const CheckResult& result);
 [[nodiscard]] std::string toJson(const RepairFacts& facts);
+/// Of a run sheet by sheet: the report of each.
+[[nodiscard]] std::string toJson(std::span<const Report> sheets, const FileFacts& files = {});
 [[nodiscard]] std::string toJson(const Inspection& inspection);  ///< without the shell of each triangle
 
 }  // namespace thicken

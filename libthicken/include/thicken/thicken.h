@@ -23,6 +23,7 @@
 #include "thicken/report.h"
 #include "thicken/result.h"
 #include "thicken/run_context.h"
+#include "thicken/sheets.h"
 
 namespace thicken {
 

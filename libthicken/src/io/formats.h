@@ -29,12 +29,16 @@ void writePly(TargetFile& file, const TriangleMesh& mesh);
 void writeObj(TargetFile& file, const TriangleMesh& mesh);
 void writeOff(TargetFile& file, const TriangleMesh& mesh);
 void write3mf(TargetFile& file, const TriangleMesh& mesh);
+/// The same for several meshes, each an object of its own.
+using SeveralWriter = void (*)(TargetFile& file, std::span<const TriangleMesh> meshes);
+void writeObjects3mf(TargetFile& file, std::span<const TriangleMesh> meshes);
 
 struct Format {
-  std::string_view extension;  ///< with its dot, in lower case
-  Reader read;                 ///< nullptr: cannot be read
-  Writer write;                ///< nullptr: cannot be written
-  Precision precision;         ///< of the coordinates as they are written
+  std::string_view extension;            ///< with its dot, in lower case
+  Reader read;                           ///< nullptr: cannot be read
+  Writer write;                          ///< nullptr: cannot be written
+  Precision precision;                   ///< of the coordinates as they are written
+  SeveralWriter writeSeveral = nullptr;  ///< nullptr: the format holds one mesh
 };
 
 [[nodiscard]] std::span<const Format> formats();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
+#include <memory>
 #include <new>
 #include <string>
 
@@ -95,6 +96,32 @@ MeshFile readMeshFile(const std::filesystem::path& path) {
     throw Error(ErrorCode::kMemoryLimit,
                 io::quoted(path) + ": the memory of this machine does not suffice to read the file.");
   }
+}
+
+std::vector<std::filesystem::path> pathsOfMeshes(const std::filesystem::path& path, std::size_t count) {
+  const io::Format& format = writable(path);
+  if (count == 1 || format.writeSeveral) return {path};
+  std::vector<std::filesystem::path> paths;
+  for (std::size_t i = 1; i <= count; ++i) {
+    std::filesystem::path name = path.stem();
+    name += "-" + std::to_string(i);
+    name += path.extension();
+    paths.push_back(path.parent_path() / name);
+  }
+  return paths;
+}
+
+void writeMeshes(const std::filesystem::path& path, std::span<const TriangleMesh> meshes) {
+  const io::Format& format = writable(path);
+  for (const TriangleMesh& mesh : meshes) requireStorable(mesh, path);
+  std::vector<std::unique_ptr<io::TargetFile>> files;
+  for (const std::filesystem::path& name : pathsOfMeshes(path, meshes.size()))
+    files.push_back(std::make_unique<io::TargetFile>(name));
+  if (format.writeSeveral)
+    format.writeSeveral(*files.front(), meshes);
+  else
+    for (std::size_t i = 0; i < files.size(); ++i) format.write(*files[i], meshes[i]);
+  for (const auto& file : files) file->commit();
 }
 
 void writeMesh(const std::filesystem::path& path, const TriangleMesh& mesh) {

@@ -30,15 +30,10 @@ constexpr std::string_view kModelBegin =
     R"(<?xml version="1.0" encoding="UTF-8"?>
 <model unit="millimeter" xml:lang="en-US" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02">
 <metadata name="Application">thicken</metadata>
-<resources><object id="1" type="model"><mesh><vertices>
-)";
-constexpr std::string_view kModelEnd = R"(</triangles></mesh></object></resources>
-<build><item objectid="1"/></build>
-</model>
-)";
+<resources>)";
 
-std::string modelOf(const TriangleMesh& mesh) {
-  std::string xml(kModelBegin);
+void appendObject(std::string& xml, std::size_t id, const TriangleMesh& mesh) {
+  xml += "<object id=\"" + std::to_string(id) + "\" type=\"model\"><mesh><vertices>\n";
   const auto append = [&xml](std::string_view element, std::array<std::string_view, 3> names,
                              const auto& values) {
     xml += element;
@@ -52,8 +47,16 @@ std::string modelOf(const TriangleMesh& mesh) {
     append("<vertex", {" x=\"", "\" y=\"", "\" z=\""}, std::array{p[0], p[1], p[2]});
   xml += "</vertices><triangles>\n";
   for (const Triangle& t : mesh.triangles) append("<triangle", {" v1=\"", "\" v2=\"", "\" v3=\""}, t);
-  xml += kModelEnd;
-  return xml;
+  xml += "</triangles></mesh></object>";
+}
+
+std::string modelOf(std::span<const TriangleMesh> meshes) {
+  std::string xml(kModelBegin), items;
+  for (std::size_t i = 1; i <= meshes.size(); ++i) {
+    appendObject(xml, i, meshes[i - 1]);
+    items += "<item objectid=\"" + std::to_string(i) + "\"/>";
+  }
+  return xml + "</resources>\n<build>" + items + "</build>\n</model>\n";
 }
 
 struct FreeSource {
@@ -99,9 +102,13 @@ void copyTo(TargetFile& file, zip_source_t* source) {
 
 }  // namespace
 
-// Packed in memory, so that libzip makes no temporary file of its own.
 void write3mf(TargetFile& file, const TriangleMesh& mesh) {
-  const std::string model = modelOf(mesh);
+  writeObjects3mf(file, std::span(&mesh, 1));
+}
+
+// Packed in memory, so that libzip makes no temporary file of its own.
+void writeObjects3mf(TargetFile& file, std::span<const TriangleMesh> meshes) {
+  const std::string model = modelOf(meshes);
   zip_error_t error;
   zip_error_init(&error);
   const Source packed(zip_source_buffer_create(nullptr, 0, 0, &error));

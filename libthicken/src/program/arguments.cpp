@@ -131,10 +131,23 @@ void describeThicken(CLI::App& app, Arguments& arguments) {
   app.add_option("--weld", options.weld, "With --repair: join rims that are at most so far apart, mm")
       ->check(length())
       ->type_name("E");
+  app.add_option(
+         "--bridge", options.bridge,
+         "With --repair: join rims that run beside each other by strips, over gaps of at most this, mm")
+      ->check(length())
+      ->type_name("E");
+  app.add_option("--fill-holes", options.fillHoles,
+                 "With --repair: close rims that are shorter than this, mm")
+      ->check(length())
+      ->type_name("D");
   app.add_flag("--strict", options.strict,
                "With --repair: refuse a solid that lost more than 5 % of the area or is mostly too thin");
   app.add_flag("--skip-if-same", arguments.skipIfSame,
                "With --report: do nothing where the report and the output are those of the same run");
+  app.add_flag(
+      "--sheets", arguments.sheets,
+      "A solid for each sheet of a surface with three and more triangles at edges: objects of a .3mf, "
+      "or numbered files");
   app.add_option("--repaired", arguments.repaired, "With --repair: write the surface that came of it, too")
       ->type_name("FILE");
 }
@@ -142,12 +155,6 @@ void describeThicken(CLI::App& app, Arguments& arguments) {
 void describeCheck(CLI::App& app, Arguments& arguments) {
   app.description("Says whether a surface can be thickened, or everything that is wrong with it.");
   app.add_option("INPUT", arguments.input, "Surface: .stl, .ply, .obj or .off")->required()->type_name("");
-}
-
-bool samePath(const std::filesystem::path& a, const std::filesystem::path& b) {
-  std::error_code ignored;
-  return !a.empty() && !b.empty() &&
-         (a.lexically_normal() == b.lexically_normal() || std::filesystem::equivalent(a, b, ignored));
 }
 
 // What is written beside the result must not take the place of a file of the user's, nor of the result.
@@ -174,6 +181,9 @@ void refuseSkipping(const Arguments& arguments) {
   if (!arguments.repaired.empty())
     throw Error(ErrorCode::kInvalidArgument,
                 "--skip-if-same looks at one output; leave out --repaired, or --skip-if-same");
+  if (arguments.sheets)
+    throw Error(ErrorCode::kInvalidArgument,
+                "--skip-if-same looks at one solid; leave out --sheets, or --skip-if-same");
 }
 
 // What was given of the options, but for those that no byte of the output depends on. An option that is new
@@ -200,6 +210,12 @@ Error usageError(const CLI::ParseError& error, const std::string& command) {
 
 }  // namespace
 
+bool samePath(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code ignored;
+  return !a.empty() && !b.empty() &&
+         (a.lexically_normal() == b.lexically_normal() || std::filesystem::equivalent(a, b, ignored));
+}
+
 Request readArguments(int argc, const char* const* argv) {
   Arguments arguments;
   const bool check = argc > 1 && std::string_view(argv[1]) == "check";
@@ -221,6 +237,9 @@ Request readArguments(int argc, const char* const* argv) {
   if (!check) requireValid(arguments.options);
   if (!arguments.repaired.empty() && !arguments.options.repair)
     throw Error(ErrorCode::kInvalidArgument, "--repaired writes what --repair makes; give --repair, too");
+  if (!arguments.repaired.empty() && arguments.sheets)
+    throw Error(ErrorCode::kInvalidArgument,
+                "--repaired writes one surface, and --sheets makes several; leave out one");
   arguments.limitGiven = memory > 0;
   arguments.memoryLimit = memory > 0 ? static_cast<std::size_t>(memory * kMebibyte) : machineMemory();
   arguments.given = optionsOfOutput(app);

@@ -28,6 +28,7 @@ struct Arguments {
   std::vector<std::string> given;  ///< the options that the output depends on, as they were given
   bool limitGiven = false;         ///< whether it was asked for, and is not just what the machine has
   bool quiet = false;
+  bool sheets = false;  ///< kThicken only: a solid for each sheet of the surface
 };
 
 /// What the command line asks for: a run, or a text that answers it (--help, --version).
@@ -35,6 +36,9 @@ struct Request {
   std::optional<Arguments> arguments;
   std::string answer;
 };
+
+/// Whether both name one file; an empty path names none.
+[[nodiscard]] bool samePath(const std::filesystem::path& a, const std::filesystem::path& b);
 
 /// Reads the command line. Throws Error(kInvalidArgument) with a sentence that names the option.
 [[nodiscard]] Request readArguments(int argc, const char* const* argv);

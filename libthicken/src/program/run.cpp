@@ -3,11 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
-#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -71,6 +73,7 @@ Error withRemedy(const Error& error, const NearRims& near) {
                   join.empty() ? "--repair mends such places where it can, and reports every change" : join),
       error.defects());
   if (error.input()) told.setInput(*error.input());
+  told.setEnoughMemory(error.enoughMemory());
   return told;
 }
 
@@ -84,7 +87,55 @@ Solid thickenOrAdvise(const TriangleMesh& surface, const Options& options, const
   }
 }
 
-Solid makeSolid(const Arguments& arguments, RunContext& context, std::vector<std::string>& warnings) {
+// Numbered files must not take the place of what the run reads or writes besides.
+void requireFree(const Arguments& arguments, std::size_t count) {
+  for (const std::filesystem::path& path : pathsOfMeshes(arguments.output, count))
+    if (samePath(path, arguments.input) || samePath(path, arguments.report))
+      throw Error(ErrorCode::kInvalidArgument,
+                  "the solid of a sheet would be written to " + oneLine(path.string()) +
+                      ", which the run reads or writes itself; give the output another name");
+}
+
+// Solids, and what each report says; one of each but for --sheets.
+struct Made {
+  std::vector<TriangleMesh> meshes;
+  std::vector<Report> reports;
+};
+
+// Proves all before it writes any.
+Made makeSheets(const Arguments& arguments, const TriangleMesh& surface, const Options& options,
+                RunContext& context) {
+  const std::vector<Sheet> sheets = divideIntoSheets(surface);
+  if (sheets.empty()) throw Error(ErrorCode::kEmpty, "the surface has no triangles");
+  requireFree(arguments, sheets.size());
+  Made made;
+  for (std::size_t i = 0; i < sheets.size(); ++i) {
+    try {
+      const double share = (kWriteShare - kReadShare) / static_cast<double>(sheets.size());
+      context.setPart(kReadShare + share * static_cast<double>(i),
+                      kReadShare + share * static_cast<double>(i + 1));
+      Solid solid = thicken(sheets[i].mesh, options, context);
+      made.meshes.push_back(std::move(solid.mesh));
+      made.reports.push_back(std::move(solid.report));
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::kCancelled || error.code() == ErrorCode::kTimeLimit) throw;
+      Error told(error.code(),
+                 "sheet " + std::to_string(i + 1) + " of " + std::to_string(sheets.size()) + " (" +
+                     std::to_string(sheets[i].mesh.triangles.size()) + " triangles): " + error.what(),
+                 error.defects());
+      if (error.input()) told.setInput(*error.input());
+      if (error.repair()) told.setRepair(*error.repair());
+      throw told;
+    }
+  }
+  context.throwIfCancelled();
+  context.setPart(kWriteShare, 1);
+  context.enter(Stage::kWriting, 0, 1, 0);
+  writeMeshes(arguments.output, made.meshes);
+  return made;
+}
+
+Made makeSolid(const Arguments& arguments, RunContext& context, std::vector<std::string>& warnings) {
   ProgressLine line(context, arguments.quiet);
   Stopwatch reading;
   const TriangleMesh surface = readSurface(arguments, context, warnings);
@@ -94,6 +145,7 @@ Solid makeSolid(const Arguments& arguments, RunContext& context, std::vector<std
   // The repaired surface has to be found in the solid bit for bit, whatever either file stores.
   if (!arguments.repaired.empty() && storedPrecision(arguments.repaired) == Precision::kSingle)
     options.precision = Precision::kSingle;
+  if (arguments.sheets) return makeSheets(arguments, surface, options, context);
   line.expect(forecast(sizesOf(surface), options).seconds);
   context.setPart(kReadShare, kWriteShare);
   Solid solid = thickenOrAdvise(surface, options, context);
@@ -108,7 +160,10 @@ Solid makeSolid(const Arguments& arguments, RunContext& context, std::vector<std
   seconds.insert(seconds.begin(), reading.laps().front());
   seconds.push_back(writing.laps().front());
   solid.report.warnings.insert(solid.report.warnings.begin(), warnings.begin(), warnings.end());
-  return solid;
+  Made made;
+  made.meshes.push_back(std::move(solid.mesh));
+  made.reports.push_back(std::move(solid.report));
+  return made;
 }
 
 CheckResult checkSurface(const Arguments& arguments, RunContext& context,
@@ -123,10 +178,9 @@ CheckResult checkSurface(const Arguments& arguments, RunContext& context,
   return result;
 }
 
-void printSummary(const Arguments& arguments, const Report& report) {
-  std::cout << oneLine(arguments.output.string()) << ": " << report.triangles << " triangles, "
-            << report.volume / 1000 << " mL, thinnest wall " << report.thinnestWall << " of "
-            << report.thickness << " mm"
+void printSummary(const std::filesystem::path& path, const Report& report) {
+  std::cout << oneLine(path.string()) << ": " << report.triangles << " triangles, " << report.volume / 1000
+            << " mL, thinnest wall " << report.thinnestWall << " of " << report.thickness << " mm"
             << (report.parts > 1 ? ", " + std::to_string(report.parts) + " parts" : "") << '\n';
 }
 
@@ -189,23 +243,27 @@ Error brokenRule() {
 void runThicken(const Arguments& arguments, RunContext context) {
   const bool isReported = !arguments.report.empty();
   if (isReported) requireFolderFor(arguments.report);
-  std::optional<Solid> solid;
+  Made made;
   FileFacts files;
   withReport(arguments, files, [&](std::vector<std::string>& warnings) {
     requireFiles(arguments);
     if (isReported) files.key = keyOf(arguments);
     if (arguments.skipIfSame && isMadeBefore(arguments, files.key)) return;
-    solid = makeSolid(arguments, context, warnings);
+    made = makeSolid(arguments, context, warnings);
+    if (arguments.sheets) printWarnings(arguments, warnings);
   });
-  if (!solid) {
+  if (made.reports.empty()) {
     if (!arguments.quiet) std::cout << oneLine(arguments.output.string()) << ": made before\n";
     return;
   }
-  if (isReported) files.outputDigest = io::sha256Of(arguments.output).value_or("");
-  writeReport(arguments, toJson(solid->report, files));
-  printWarnings(arguments, solid->report.warnings);
-  if (arguments.quiet) return;
-  printSummary(arguments, solid->report);
+  if (isReported && !arguments.sheets) files.outputDigest = io::sha256Of(arguments.output).value_or("");
+  writeReport(arguments, arguments.sheets ? toJson(std::span<const Report>(made.reports), files)
+                                          : toJson(made.reports.front(), files));
+  const auto paths = pathsOfMeshes(arguments.output, made.meshes.size());
+  for (std::size_t i = 0; i < made.reports.size(); ++i) {
+    printWarnings(arguments, made.reports[i].warnings);
+    if (!arguments.quiet) printSummary(paths[std::min(i, paths.size() - 1)], made.reports[i]);
+  }
 }
 
 void runCheck(const Arguments& arguments, RunContext context) {

@@ -56,6 +56,7 @@ RepairResult provedResult(const Workpiece& piece, const RepairFacts& before, con
                           int threads) {
   RepairResult result = packed(piece, before.weldDistance, Ledger(before));
   result.facts.seams = before.seams;
+  result.facts.added = before.added;
   if (result.mesh.triangles.empty())
     throw Error(ErrorCode::kNoSolid, "nothing remains of the surface without its folds; smooth or remesh it");
   return proved(std::move(result), context, threads);

@@ -34,7 +34,7 @@ void Ledger::addUncounted(RepairKind kind, TriangleId origin, double area, const
   RepairChange& change = changes_[kind];
   change.kind = kind;
   if (std::isfinite(area)) change.area += area;
-  change.triangles.push_back(origin);
+  if (origin != RepairResult::kAdded) change.triangles.push_back(origin);
   if (change.places.size() < RepairChange::kMaxPlaces && isFinite(place)) change.places.push_back(place);
 }
 
@@ -48,6 +48,10 @@ RepairFacts Ledger::facts(double weldDistance) && {
     if (removes(kind)) {
       facts.removed += change.count;
       if (kind != RepairKind::kDuplicate) facts.removedArea += change.area;
+    }
+    if (adds(kind)) {
+      facts.added.triangles += change.count;
+      facts.added.area += change.area;
     }
     facts.changes.push_back(std::move(change));
   }
@@ -69,7 +73,10 @@ RepairResult packed(const Workpiece& piece, double weldDistance, Ledger ledger) 
     }
     rest.triangles.push_back(piece.mesh.triangles[t]);
     result.origin.push_back(piece.origin[t]);
-    if (piece.turned[t] != 0)
+    const bool isNew = piece.origin[t] == RepairResult::kAdded;
+    if (isNew && adds(piece.reason[t]))
+      ledger.add(piece.reason[t], piece.origin[t], piece.area(t), piece.middle(t));
+    if (piece.turned[t] != 0 && !isNew)
       ledger.add(RepairKind::kTurned, piece.origin[t], piece.area(t), piece.middle(t));
   }
   result.mesh = weld(rest);

@@ -13,6 +13,10 @@ constexpr double kMostLost = 0.05;  // share of the area
 constexpr double kMostThin = 0.05;
 constexpr double kThin = 0.5;  // of the thickness
 
+std::string place(const Vec3& p) {
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z());
+}
+
 // Share of the area of S below which the solid is thinner than half of what was asked. A triangle is as deep
 // as the mean of its corners.
 double thinShare(const Solid& solid) {
@@ -38,9 +42,6 @@ std::optional<std::string> shortcoming(const Solid& solid) {
   const double lost = report.input.area > 0 ? report.repair->removedArea / report.input.area : 0;
   const double thin = thinShare(solid);
   if (lost <= kMostLost && thin <= kMostThin) return std::nullopt;
-  const auto place = [](const Vec3& p) {
-    return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z());
-  };
   std::string sentence = "the solid is not the surface that was given: ";
   if (lost > kMostLost)
     sentence += fmt::format("the repair removed {:.3g} % of its area, the largest piece at {}", 100 * lost,
@@ -49,6 +50,25 @@ std::optional<std::string> shortcoming(const Solid& solid) {
     sentence += fmt::format("{}{:.3g} % of what is left is thinner than half the thickness, the least at {}",
                             lost > kMostLost ? ", and " : "", 100 * thin, place(report.thinnestPlace));
   return sentence;
+}
+
+std::vector<std::string> additions(const RepairFacts& facts) {
+  const AddedFacts& added = facts.added;
+  std::vector<std::string> told;
+  if (added.triangles > 0)
+    told.push_back(
+        fmt::format("{} triangles were added to the surface: {} strips between rims, {} holes filled",
+                    added.triangles, added.strips, added.holes));
+  if (added.left > 0)
+    told.push_back(
+        fmt::format("{} holes that are short enough stay open, as no patch fits into them without meeting "
+                    "the surface; the "
+                    "first is at {}",
+                    added.left, place(added.leftPlaces.front())));
+  if (facts.seams.left > 0)
+    told.push_back(fmt::format("{} corners near another rim could not be joined to it; the first is at {}",
+                               facts.seams.left, place(facts.seams.leftPlaces.front())));
+  return told;
 }
 
 }  // namespace thicken::repairing

@@ -11,10 +11,13 @@
 
 #include "check/surface_facts.h"
 #include "repair/bad_triangles.h"
+#include "repair/borders.h"
+#include "repair/bridges.h"
 #include "repair/cover.h"
 #include "repair/crowded_edges.h"
 #include "repair/crumbs.h"
 #include "repair/fans.h"
+#include "repair/holes.h"
 #include "repair/ledger.h"
 #include "repair/meetings.h"
 #include "repair/near_corners.h"
@@ -55,12 +58,23 @@ std::string_view name(RepairKind kind) noexcept {
       return "crumb";
     case RepairKind::kFolded:
       return "folded";
+    case RepairKind::kSmoothed:
+      return "smoothed";
+    case RepairKind::kBridged:
+      return "bridged";
+    case RepairKind::kFilled:
+      return "filled";
   }
   return "";
 }
 
 bool removes(RepairKind kind) noexcept {
-  return kind != RepairKind::kWelded && kind != RepairKind::kDivided && kind != RepairKind::kTurned;
+  return kind != RepairKind::kWelded && kind != RepairKind::kDivided && kind != RepairKind::kTurned &&
+         !adds(kind);
+}
+
+bool adds(RepairKind kind) noexcept {
+  return kind == RepairKind::kBridged || kind == RepairKind::kFilled;
 }
 
 namespace {
@@ -87,6 +101,15 @@ double distanceToWeld(const TriangleMesh& surface, const RepairOptions& options)
     return *options.weldDistance;
   }
   return roundingOf(surface);
+}
+
+// mm; 0 where it is not asked for.
+double lengthOf(const std::optional<double>& asked, const char* what) {
+  if (!asked) return 0;
+  if (!(*asked > 0) || !std::isfinite(*asked))
+    throw Error(ErrorCode::kInvalidArgument,
+                fmt::format("{} must be a positive number of millimetres, not {}", what, *asked));
+  return *asked;
 }
 
 // Whether no two triangles have a vertex in common. Such a mesh has no sheets whose rims could be joined in
@@ -148,6 +171,31 @@ double meanArea(const Workpiece& piece) {
   return count > 0 ? sum / static_cast<double>(count) : 0;
 }
 
+// Mends all that is defective, and joins seams.
+SeamFacts mend(Workpiece& piece, const RepairOptions& options, repairing::Ledger& ledger,
+               const RunContext& context, int threads) {
+  SeamFacts seams;
+  if (options.weldDistance) seams = repairing::joinSeams(piece, *options.weldDistance, ledger);
+  repairing::KnownMeetings known = findMeetings(piece, context, threads);
+  const std::vector<std::uint32_t> before = repairing::partsOfPiece(piece);
+  const double fin = meanArea(piece);
+  const bool overlapping = removeOverlaps(piece, known.pairs, threads);
+  if (overlapping | endSheetsAtEdges(piece) | cutPinchedVertices(piece)) {
+    dropCrumbs(piece, before, fin);
+    known = findMeetings(piece, context, threads);
+  }
+  const std::vector<std::uint8_t> mayReturn = piece.present;
+  makeSenseConsistent(piece);
+  context.throwIfCancelled();
+  separate(piece, known, mayReturn);
+  if (overlapping) {
+    repairing::smoothBorders(piece);
+    // Elsewhere what comes off may be somebody's button: it stays.
+    dropCrumbs(piece, before, kCrumbTriangles * fin);
+  }
+  return seams;
+}
+
 RepairResult unchanged(const TriangleMesh& surface, const SurfaceFacts& facts) {
   RepairResult result;
   result.facts.surface = facts;
@@ -175,32 +223,29 @@ NearRims nearRims(const TriangleMesh& surface, const RunContext& context, int th
 RepairResult repair(const TriangleMesh& surface, const RepairOptions& options, RunContext context,
                     int threads) {
   const double distance = distanceToWeld(surface, options);
+  const double bridge = lengthOf(options.bridgeDistance, "the width of gaps to bridge");
+  const double longest = lengthOf(options.longestHole, "the length of the rims of holes to fill");
   const CheckResult given = check(surface, context, threads);
-  if (given.valid() && !(options.weldDistance && distance > 0)) return unchanged(surface, given.facts);
+  const bool joins = options.weldDistance && distance > 0;
+  if (given.valid() && !joins && bridge == 0 && longest == 0) return unchanged(surface, given.facts);
 
   repairing::Ledger ledger;
   Workpiece piece(surface);
-  weldNearCorners(piece, isLoose(surface) ? distance : std::min(distance, roundingOf(surface)), ledger);
-  dropBadTriangles(piece, context, threads);
   SeamFacts seams;
-  if (options.weldDistance) seams = repairing::joinSeams(piece, distance, ledger);
-  repairing::KnownMeetings known = findMeetings(piece, context, threads);
-  const std::vector<std::uint32_t> before = repairing::partsOfPiece(piece);
-  const double fin = meanArea(piece);
-  const bool overlapping = removeOverlaps(piece, known.pairs, threads);
-  if (overlapping | endSheetsAtEdges(piece) | cutPinchedVertices(piece)) {
-    dropCrumbs(piece, before, fin);
-    known = findMeetings(piece, context, threads);
+  if (!given.valid() || joins) {
+    weldNearCorners(piece, isLoose(surface) ? distance : std::min(distance, roundingOf(surface)), ledger);
+    dropBadTriangles(piece, context, threads);
+    seams = mend(piece, options, ledger, context, threads);
   }
-  const std::vector<std::uint8_t> mayReturn = piece.present;
-  makeSenseConsistent(piece);
-  context.throwIfCancelled();
-  separate(piece, known, mayReturn);
-  // Elsewhere what comes off may be somebody's button: it stays.
-  if (overlapping) dropCrumbs(piece, before, kCrumbTriangles * fin);
+  AddedFacts added;
+  if (bridge > 0) bridgeGaps(piece, bridge, added, context, threads);
+  if (longest > 0) fillHoles(piece, longest, added, context, threads);
   RepairResult result = packed(piece, distance, std::move(ledger));
   if (result.mesh.triangles.empty()) refuseAll(given);
   result.facts.seams = std::move(seams);
+  added.triangles = result.facts.added.triangles;
+  added.area = result.facts.added.area;
+  result.facts.added = std::move(added);
   return repairing::proved(std::move(result), context, threads);
 }
 

@@ -41,6 +41,7 @@ class SheetFinder {
             return sizeOf(a, sheets, sheetArea) < sizeOf(b, sheets, sheetArea);
           });
     result_.areaAt.resize(piece_.mesh.triangles.size());
+    result_.sheetOf = sheets.roots(1);
     for (TriangleId t = 0; t < result_.areaAt.size(); ++t) result_.areaAt[t] = sheetArea[sheets.root(t)];
     return std::move(result_);
   }

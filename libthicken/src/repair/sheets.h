@@ -18,7 +18,8 @@ struct CrowdedEdge {
 
 struct Sheets {
   std::vector<CrowdedEdge> edges;
-  std::vector<double> areaAt;  ///< mm² per triangle: of the sheet that it belongs to
+  std::vector<TriangleId> sheetOf;  ///< per triangle: the lowest of its sheet
+  std::vector<double> areaAt;       ///< mm² per triangle: of the sheet that it belongs to
 };
 
 /// Pairs the triangles at such edges up: two patches that meet with the smallest bend, taken over all edges

@@ -34,6 +34,14 @@ void Workpiece::addPart(const Triangle& part, TriangleId whole) {
   turned.push_back(turned[whole]);
 }
 
+void Workpiece::addNew(const Triangle& corners, RepairKind why) {
+  mesh.triangles.push_back(corners);
+  origin.push_back(RepairResult::kAdded);
+  present.push_back(1);
+  reason.push_back(why);
+  turned.push_back(0);
+}
+
 double Workpiece::area(TriangleId t) const {
   const Triangle& c = mesh.triangles[t];
   const Vec3 &p = mesh.positions[c[0]], &q = mesh.positions[c[1]], &r = mesh.positions[c[2]];

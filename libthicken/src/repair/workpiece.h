@@ -13,9 +13,9 @@ namespace thicken::repairing {
 
 struct Workpiece {
   TriangleMesh mesh;
-  std::vector<TriangleId> origin;     ///< the triangle of the input that this one is (a part) of
+  std::vector<TriangleId> origin;     ///< RepairResult::origin
   std::vector<std::uint8_t> present;  ///< 0: gone
-  std::vector<RepairKind> reason;     ///< where it is gone: why
+  std::vector<RepairKind> reason;     ///< where it is gone or new: why
   std::vector<std::uint8_t> turned;   ///< 1: of the other sense than in the input
 
   explicit Workpiece(TriangleMesh surface);
@@ -24,6 +24,8 @@ struct Workpiece {
   void turn(TriangleId t);
   /// Adds a triangle that is a part of triangle `whole`.
   void addPart(const Triangle& part, TriangleId whole);
+  /// Adds a triangle that is none of the input's.
+  void addNew(const Triangle& corners, RepairKind why);
 
   [[nodiscard]] double area(TriangleId t) const;
   /// The middle of the triangle, mm.

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// The borders of what a repair removed, without teeth.
+#pragma once
+
+#include "repair/workpiece.h"
+
+namespace thicken::repairing {
+
+/// Removes triangles of which two edges border on triangles that were removed, until the borders are straight
+/// runs, in a bounded number of rounds. A valid surface stays valid: what goes has one neighbour at most.
+void smoothBorders(Workpiece& piece);
+
+}  // namespace thicken::repairing
