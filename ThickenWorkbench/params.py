@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Callable, Iterable
 from .sources import DEFAULT_DEFLECTION, face_names, kind_of
 
 if TYPE_CHECKING:
-    from .arrays import ThickenedMesh
+    from thicken.arrays import ThickenedMesh
 
 SCHEMA_VERSION = 2
 

@@ -15,7 +15,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from .. import build, numbers, params, precomputed, prediction, preferences, runs
-from ..arrays import ThickenedMesh, thicken_mesh
+from thicken.arrays import ThickenedMesh, thicken_mesh
 from ..part_solid import part_solid_of, size_warning
 from ..sources import DEFAULT_DEFLECTION
 from . import macro, messages

@@ -9,7 +9,7 @@ from pathlib import Path
 PROJECT = Path(__file__).resolve().parents[2]
 VERSION = os.environ["THICKEN_VERSION"]
 SOURCES = (".h", ".cpp", ".py", ".pyi", ".cmake", ".h.in", ".cmake.in")
-FOLDERS = ("libthicken", "ThickenWorkbench", "cmake", "examples", "tests")
+FOLDERS = ("libthicken", "thicken", "ThickenWorkbench", "packaging", "cmake", "examples", "tests")
 
 
 def sources(*folders: str) -> list[Path]:
@@ -33,6 +33,8 @@ class Rules(unittest.TestCase):
         for name, pattern in (
             ("package.xml", r"<version>([^<]+)</version>"),
             ("ThickenWorkbench/__init__.py", r'__version__ = "([^"]+)"'),
+            ("thicken/__init__.py", r'__version__ = "([^"]+)"'),
+            ("pyproject.toml", r'^version = "([^"]+)"'),
             ("CHANGELOG.md", r"^## (\d\S+)"),  # below what is not released yet
         ):
             with self.subTest(name):
