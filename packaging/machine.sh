@@ -31,15 +31,13 @@ machine() {
 
 # inside ROOT COMMAND: runs a command of the shell in /root/project of such a system.
 inside() {
-  local root=$1 status=0
+  local root=$1
   cp /etc/resolv.conf /etc/hosts "$root/etc/" 2>/dev/null || true
   mkdir -p "$root/root/project"
   # In a mount namespace of its own: nothing stays mounted, however this ends.
   unshare --mount --fork bash -c '
     mount --bind /proc "$1/proc" && mount --bind /dev "$1/dev" || exit 1
-    [ -z "${CCACHE_DIR:-}" ] || { mkdir -p "$1/root/.cache/ccache" && mount --bind "$CCACHE_DIR" "$1/root/.cache/ccache"; } || exit 1
-    exec chroot "$1" /usr/bin/env -i HOME=/root PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
-      LANG=C.UTF-8 DEBIAN_FRONTEND=noninteractive ${MACHINE_ENVIRONMENT:-} bash -euo pipefail -c "cd /root/project; $2"
-  ' inside "$root" "$2" </dev/null || status=$?
-  return $status
+    exec nice chroot "$1" /usr/bin/env -i HOME=/root PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
+      LANG=C.UTF-8 DEBIAN_FRONTEND=noninteractive bash -euo pipefail -c "cd /root/project; $2"
+  ' inside "$root" "$2" </dev/null
 }
