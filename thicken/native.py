@@ -42,6 +42,19 @@ def load() -> ModuleType:
     return _loaded
 
 
+def is_there() -> bool:
+    """Whether there is an extension for this system and Python; it is not loaded."""
+    try:
+        return _loaded is not None or _find().is_file()
+    except NativeError:
+        return False
+
+
+def place_for_file() -> Path:
+    """The folder that a file_name() from elsewhere can be put into."""
+    return PACKAGE_DIR / "binaries" / platform_name()
+
+
 def file_name() -> str:
     """The name of the file that fits this Python, such as _thicken.cpython-311-x86_64-linux-gnu.so."""
     return "_thicken" + (sysconfig.get_config_var("EXT_SUFFIX") or ".so")
@@ -61,7 +74,7 @@ def _folders() -> list[Path]:
     return [
         PACKAGE_DIR,
         PACKAGE_DIR.parent / "ThickenWorkbench",
-        PACKAGE_DIR / "binaries" / platform_name(),
+        place_for_file(),
         *(folder for folder in installed if folder.resolve() != PACKAGE_DIR),
     ]
 
@@ -114,7 +127,7 @@ def _explain(what: str) -> str:
         f"It needs the compiled part {file_name()} for {platform.system()} ({platform_name()}) and Python {version}.",
         f"There is: {', '.join(_brought()) or 'none'}.",
         "Install the add-on archive of Thicken for this system, or the package freecad-thicken on Debian, or use a FreeCAD whose "
-        f"Python is among those above. If you have the file, put it into {PACKAGE_DIR / 'binaries' / platform_name()}, or set "
+        f"Python is among those above. If you have the file, put it into {place_for_file()}, or set "
         f"{DIRECTORY_VARIABLE} to its folder. How to make it of the sources: docs/install.md.",
     ]
     return "\n".join(lines)

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "program/progress_line.h"
 
-#include <unistd.h>
-
 #include <chrono>
 #include <iomanip>
 #include <iostream>
 #include <system_error>
 #include <utility>
+
+#include "platform/process.h"
 
 namespace thicken::program {
 namespace {
@@ -18,7 +18,7 @@ constexpr const char* kWipeLine = "\r\x1b[K";
 }  // namespace
 
 ProgressLine::ProgressLine(RunContext context, bool quiet) : context_(std::move(context)) {
-  if (quiet || isatty(STDERR_FILENO) == 0) return;
+  if (quiet || !stderrIsTerminal()) return;
   try {
     thread_ = std::thread([this] { show(); });
   } catch (const std::system_error&) {
