@@ -52,6 +52,13 @@ class Rules(unittest.TestCase):
         files = [f for f in sources("libthicken/src") if f.name != "parallel_for.h"]
         self.assertEqual(offenders(files, r"^\s*#pragma omp|#include <omp\.h>"), [])
 
+    def test_what_is_no_standard_cpp_is_in_one_folder(self):
+        """The platform's own functions; SSE has guards where it is used, and a fallback."""
+        pattern = r"#include <(unistd|fcntl|io|process|windows|psapi|malloc)\.h>|#include <sys/|__builtin_|\bmalloc_trim\(|\bmallopt\("
+        files = sources("libthicken/src", "libthicken/include", "libthicken/python")
+        self.assertEqual(offenders([f for f in files if "platform" not in f.parts], pattern), [])
+        self.assertNotEqual(offenders([f for f in files if "platform" in f.parts], pattern), [])
+
     def test_headers_are_safe_to_include(self):
         headers = sources("libthicken/include")
         self.assertEqual(offenders(headers, r"using namespace "), [])
