@@ -37,6 +37,7 @@ This package has the headers and the static library for C++.")
 
 if(TARGET _thicken)
   list(APPEND CPACK_COMPONENTS_ALL workbench)
+  find_package(Python REQUIRED COMPONENTS Interpreter)  # the folder of the extension found it for itself
   math(EXPR next "${Python_VERSION_MINOR} + 1")
   set(CPACK_DEBIAN_WORKBENCH_PACKAGE_NAME freecad-thicken)
   set(CPACK_DEBIAN_WORKBENCH_PACKAGE_DEPENDS "freecad, python3-numpy, python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next})")

@@ -12,7 +12,7 @@ machine_base() {
   mirror=$(awk '/^URIs:/{print $2; exit}' /etc/apt/sources.list.d/*.sources 2>/dev/null || true)
   mkdir -p "$machines"
   rm -rf "$base.part"
-  nice debootstrap --variant=minbase --include=ca-certificates,git "$suite" "$base.part" "${mirror:-http://deb.debian.org/debian}" >"$machines/$suite.log" ||
+  debootstrap --variant=minbase --include=ca-certificates,git "$suite" "$base.part" "${mirror:-http://deb.debian.org/debian}" >"$machines/$suite.log" ||
     { tail "$machines/$suite.log" >&2; return 1; }
   echo force-unsafe-io >"$base.part/etc/dpkg/dpkg.cfg.d/unsafe-io"  # nobody minds if such a system is lost
   cp /etc/apt/apt.conf.d/99* "$base.part/etc/apt/apt.conf.d/" 2>/dev/null || true
@@ -38,7 +38,7 @@ inside() {
   # In a mount namespace of its own: nothing stays mounted, however this ends.
   unshare --mount --fork bash -c '
     mount --bind /proc "$1/proc" && mount --bind /dev "$1/dev" || exit 1
-    exec nice chroot "$1" /usr/bin/env -i HOME=/root PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
+    exec chroot "$1" /usr/bin/env -i HOME=/root PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
       LANG=C.UTF-8 DEBIAN_FRONTEND=noninteractive bash -euo pipefail -c "cd /root/project; $2"
   ' inside "$root" "$2" </dev/null
 }
