@@ -25,6 +25,11 @@ class ThickenWorkbench(Gui.Workbench):
         self.appendToolbar("Thicken", names)
         self.appendMenu("Thicken", names)
 
+    def Activated(self):
+        from ThickenWorkbench.gui import notice
+
+        notice.show_if_needed()
+
     def ContextMenu(self, recipient):
         from ThickenWorkbench.gui import commands
 

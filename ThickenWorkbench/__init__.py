@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Thickens open mesh surfaces into printable solids, on NumPy arrays and in FreeCAD documents.
+"""Thickens open mesh surfaces into printable solids in FreeCAD documents, and what `thicken` does on NumPy arrays.
 
 Names are loaded when they are first used: the package can be imported, and documents with its
 features opened, where the compiled extension is missing; what needs it then says why it failed.
@@ -12,14 +12,18 @@ from importlib import import_module
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
+import thicken
+from thicken import native  # noqa: F401  the workbench's modules take it from here
+
 __version__ = "0.1.0"
 
 if TYPE_CHECKING:
-    from ._thicken import RunContext, ThickenError
-    from .arrays import (
+    from thicken import (
         Region,
         RepairedMesh,
+        RunContext,
         ThickenedMesh,
+        ThickenError,
         check_mesh,
         divide_into_sheets,
         forecast_mesh,
@@ -30,6 +34,7 @@ if TYPE_CHECKING:
         weld_mesh,
         write_mesh,
     )
+
     from .check_surface import check_surface
     from .drain_holes import make_drain_holes
     from .export import export_for_printing
@@ -41,18 +46,7 @@ if TYPE_CHECKING:
     from .thickness_map import thickness_map
 
 _HOMES = {
-    "Region": "arrays",
-    "RepairedMesh": "arrays",
-    "ThickenedMesh": "arrays",
-    "check_mesh": "arrays",
-    "divide_into_sheets": "arrays",
-    "forecast_mesh": "arrays",
-    "read_mesh": "arrays",
-    "repair_mesh": "arrays",
-    "size_of": "arrays",
-    "thicken_mesh": "arrays",
-    "weld_mesh": "arrays",
-    "write_mesh": "arrays",
+    **dict.fromkeys([*thicken.OF_ARRAYS, *thicken.OF_EXTENSION], "thicken"),
     "check_surface": "check_surface",
     "make_drain_holes": "drain_holes",
     "export_for_printing": "export",
@@ -65,8 +59,6 @@ _HOMES = {
     "facet_regions": "regions",
     "make_repair": "repair_feature",
     "thickness_map": "thickness_map",
-    "RunContext": "native",
-    "ThickenError": "native",
 }
 __all__ = sorted(_HOMES)
 
@@ -87,9 +79,7 @@ def __getattr__(name: str):
     home = _HOMES.get(name)
     if home is None:
         raise AttributeError(f"module '{__name__}' has no attribute '{name}'")
-    module = import_module(f"{__name__}.{home}")
-    owner = module.load() if home == "native" else module
-    return getattr(owner, name)
+    return getattr(thicken if home == "thicken" else import_module(f"{__name__}.{home}"), name)
 
 
 def __dir__() -> list[str]:

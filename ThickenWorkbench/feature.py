@@ -72,6 +72,7 @@ def make_thicken(
     resolution: int | None = None,
     tolerance: Any = None,
     smooth: int | None = None,
+    join: str = "automatic",
     repair: bool = False,
     faces: Sequence[Any] = (),
     facets: Iterable[int] = (),
@@ -84,7 +85,8 @@ def make_thicken(
     `source` may be a list: every object of it gets a feature, and the list of them is returned.
     Lengths are numbers of mm, quantities, or text such as "2 mm". Without a thickness it is
     build.suggested_thickness(). `quality` is "draft", "standard" or "fine"; or give one of cell, resolution and
-    tolerance.
+    tolerance. `join` is "intersection" (outside of convex edges planes go on until they meet), "arc" (they are rounded)
+    or "automatic", which is arc with a tolerance and for the method "reconstruct".
 
     `faces` (names such as "Face3") choose a part of a shape, `facets` (indices) a part of a mesh;
     `deflection` is the farthest that the triangles of a shape may be from it. With output="solid" a
@@ -99,7 +101,7 @@ def make_thicken(
     choice = (list(faces), [int(facet) for facet in facets], deflection)
     _require_sense(sources, choice, output)
     inputs = dict(
-        side=side, method=method, repair=repair, smooth=smooth, quality=quality,
+        side=side, method=method, join=join, repair=repair, smooth=smooth, quality=quality,
         cell=cell, resolution=resolution, tolerance=tolerance,
     )
     made = []

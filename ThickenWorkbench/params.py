@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING, Any, Callable, Iterable
 from .sources import DEFAULT_DEFLECTION, face_names, kind_of
 
 if TYPE_CHECKING:
-    from .arrays import ThickenedMesh
+    from thicken.arrays import ThickenedMesh
 
-SCHEMA_VERSION = 2
+SCHEMA_VERSION = 3
 
 # App::PropertyType by value: FreeCAD has no names for it in Python.
 _READ_ONLY = 1
@@ -24,6 +24,10 @@ _OUTPUT = 8  # changing it does not touch the document
 # The first choice is the one a new feature has. Lower-case, they are the library's own words.
 SIDES = ["Negative", "Positive", "Both"]
 METHODS = ["Auto", "Sweep", "Reconstruct"]
+
+# What the shell is like outside of convex edges, as FreeCAD's own Thickness calls it, and the library's word.
+JOIN_WORD = {"Automatic": None, "Intersection": "mitre", "Arc": "round"}
+JOINS = list(JOIN_WORD)
 
 # What decides how fine the result is, and the property that holds the number for it.
 QUALITY_NUMBER = {"Standard": None, "Draft": None, "Fine": None, "Cell": "Cell", "Resolution": "Resolution",
@@ -63,6 +67,7 @@ INPUTS = [
     _input("Thickness", "Length", "Thicken", "How thick the solid is", 1.0),
     _input("Side", "Enumeration", "Thicken", "Where the material lies; normals point to the positive side", SIDES),
     _input("Method", "Enumeration", "Thicken", "How the solid is computed", METHODS),
+    _input("Join", "Enumeration", "Thicken", "Outside of convex edges: planes that meet (Intersection) or a rounding (Arc)", JOINS),
     _input("Repair", "Bool", "Thicken", "Mend a defective mesh first", False),
     _input("Quality", "Enumeration", "Quality", "How fine the result is: a word, or the number that decides it", list(QUALITY_NUMBER)),
     _input("Cell", "Length", "Quality", "Cell width, below half the thickness", 0.25),
@@ -108,8 +113,12 @@ def _name_qualities(obj: Any) -> None:
     obj.Quality = "Standard" if chosen == "Automatic" else chosen
 
 
+def _leave_join(obj: Any) -> None:
+    """Schema 2 had no Join; the one that a new property starts with is what was done."""
+
+
 # MIGRATIONS[n] turns a feature of schema n into one of schema n + 1.
-MIGRATIONS: dict[int, Callable[[Any], None]] = {1: _name_qualities}
+MIGRATIONS: dict[int, Callable[[Any], None]] = {1: _name_qualities, 2: _leave_join}
 
 
 def ensure_properties(obj: Any) -> None:
@@ -131,7 +140,7 @@ def show_quality(obj: Any) -> None:
 
 
 def set_inputs(
-    obj: Any, *, side: str, method: str, repair: bool, smooth: int | None, quality: str, **numbers: Any
+    obj: Any, *, side: str, method: str, join: str, repair: bool, smooth: int | None, quality: str, **numbers: Any
 ) -> None:
     """Set what make_thicken() takes of numbers; of `numbers` (cell, resolution, tolerance) at most one is not None."""
     given = {name.capitalize(): value for name, value in numbers.items() if value is not None}
@@ -142,6 +151,7 @@ def set_inputs(
         raise ValueError(f"give one of cell, resolution and tolerance, not {' and '.join(given).lower()}")
     obj.Side = _choice("side", side, SIDES)
     obj.Method = _choice("method", method, METHODS)
+    obj.Join = _choice("join", join, JOINS)
     obj.Repair = bool(repair)
     if smooth is not None:
         if not 0 <= smooth <= 100:
@@ -170,9 +180,16 @@ def arguments(obj: Any) -> dict[str, Any]:
     }
     if obj.Smooth >= 0:
         result["smooth"] = obj.Smooth
+    result |= join_arguments(obj.Join)
     chosen = QUALITY_NUMBER[obj.Quality]
     number = getattr(obj, chosen) if chosen is not None else None
     return {**result, **quality_arguments(obj.Quality, getattr(number, "Value", number), obj.Thickness.Value)}
+
+
+def join_arguments(join: str) -> dict[str, Any]:
+    """The argument of thicken_mesh() that a Join stands for, if it is not the library that chooses."""
+    word = JOIN_WORD[join]
+    return {} if word is None else {"join": word}
 
 
 def quality_arguments(quality: str, number: Any, thickness: float) -> dict[str, Any]:

@@ -13,12 +13,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .arrays import thicken_mesh
+from thicken.arrays import thicken_mesh
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    from .arrays import ThickenedMesh
+    from thicken.arrays import ThickenedMesh
 
 _offered: dict[str, ThickenedMesh] = {}
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from . import preferences
-from .arrays import SurfaceSize, forecast_mesh
+from thicken.arrays import SurfaceSize, forecast_mesh
 
 # How many times the forecast runs take here. It starts with 1 and follows the runs on this machine.
 _KEY = "TimesForecast"

@@ -15,7 +15,7 @@ from .source_observer import observe_sources
 from .sources import require_source, surface_arrays
 
 if TYPE_CHECKING:
-    from .arrays import RepairedMesh
+    from thicken.arrays import RepairedMesh
 
 translate = App.Qt.translate
 
@@ -152,7 +152,7 @@ class Joins(NamedTuple):
 
 def repair_step(source: Any, joins: Joins) -> runs.Step[RepairedMesh]:
     """For the mended surface of `source`: nothing of it touches `source` any more."""
-    from .arrays import repair_mesh
+    from thicken.arrays import repair_mesh
 
     surface = surface_arrays(source)
     runs.require_room(len(surface[1]))

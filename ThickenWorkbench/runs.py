@@ -20,7 +20,7 @@ from .numbers import place as place_text
 from .sources import RefusedError
 
 if TYPE_CHECKING:
-    from ._thicken import RunContext
+    from thicken._thicken import RunContext
 
 translate = App.Qt.translate
 

@@ -7,13 +7,13 @@ Panels are imported when a command runs: activating the workbench must cost next
 from __future__ import annotations
 
 from importlib import import_module
+from pathlib import Path
 from typing import Any
 
 import FreeCAD as App
 import FreeCADGui as Gui
 
 from .. import runs
-from ..native import PACKAGE_DIR
 from ..view_provider import ICONS
 from . import chosen
 
@@ -255,7 +255,7 @@ COMMANDS = [MakeCommand, CheckCommand, RepairCommand, MapCommand, DrainCommand, 
 def register() -> list[str]:
     """Add the commands to FreeCAD and return their names."""
     # Recorded macros import a module of the name of the file that adds a command: let it be the package.
-    add = compile("Gui.addCommand(name, command)", f"{PACKAGE_DIR}.py", "exec")
+    add = compile("Gui.addCommand(name, command)", f"{Path(__file__).parent.parent}.py", "exec")
     for command in COMMANDS:
         exec(add, {"Gui": Gui, "name": command.name, "command": command()})
     return [command.name for command in COMMANDS]

@@ -10,7 +10,7 @@ from __future__ import annotations
 from typing import Any, Callable
 
 from .. import preferences, runs
-from ..arrays import Region, ThickenedMesh, thicken_mesh
+from thicken.arrays import Region, ThickenedMesh, thicken_mesh
 from .job import Job
 from .overlay import faces, over_object
 from .qt import QtCore

@@ -14,7 +14,7 @@ import numpy as np
 from pivy import coin
 
 from .. import preferences
-from ..arrays import Region
+from thicken.arrays import Region
 from ..regions import facet_regions
 from .overlay import set_colours
 from .qt import QtCore

@@ -8,7 +8,7 @@ from typing import Any
 import FreeCAD as App
 import numpy as np
 
-from ..arrays import RepairedMesh
+from thicken.arrays import RepairedMesh
 from .overlay import faces, points
 
 translate = App.Qt.translate

@@ -23,6 +23,7 @@ def chosen_of(feature: Any) -> Chosen:
 
 def arguments_of(inputs: dict[str, Any]) -> dict[str, Any]:
     """The arguments of thicken_mesh() that a feature with these inputs passes: see params.arguments()."""
-    given = {name: value for name, value in inputs.items() if value is not None and name not in ("deflection", "quality")}
+    given = {name: value for name, value in inputs.items() if value is not None and name not in ("deflection", "quality", "join")}
+    given |= params.join_arguments((inputs["join"] or "automatic").capitalize())
     word = inputs.get("quality", "standard").capitalize()
     return {**given, **params.quality_arguments(word, None, inputs["thickness"]), "precision": "single"}

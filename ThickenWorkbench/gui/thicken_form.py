@@ -165,6 +165,15 @@ class ThickenForm:
             )
         )
         rows.addRow(translate("Thicken", "Method"), self.method)
+        self.join = self._choice("Join", [
+            translate("Thicken", "Automatic"),
+            translate("Thicken", "Intersection"),
+            translate("Thicken", "Arc"),
+        ])  # fmt: skip
+        self.join.setToolTip(
+            translate("Thicken", "Outside of convex edges: sharp, as planes that meet, or rounded, which takes many more triangles")
+        )
+        rows.addRow(translate("Thicken", "Join"), self.join)
         self.grid = self._choice("Grid", [
             translate("Thicken", "By the quality"),
             translate("Thicken", "Cell width"),
@@ -219,6 +228,7 @@ class ThickenForm:
             "thickness": float(self.thickness.property("rawValue")),
             "side": params.SIDES[self.side.currentIndex()].lower(),
             "method": params.METHODS[self.method.currentIndex()].lower(),
+            "join": params.JOINS[self.join.currentIndex()].lower() if self.join.currentIndex() else None,
             **self._quality(),
             "smooth": None if self.smooth.value() == AUTOMATIC else self.smooth.value(),
             "repair": self.repair.isChecked(),
@@ -248,6 +258,7 @@ class ThickenForm:
         self.thickness.setProperty("rawValue", float(inputs["thickness"]))
         self.side.setCurrentIndex([side.lower() for side in params.SIDES].index(inputs["side"]))
         self.method.setCurrentIndex([method.lower() for method in params.METHODS].index(inputs["method"]))
+        self.join.setCurrentIndex([join.lower() for join in params.JOINS].index(inputs.get("join") or "automatic"))
         self.show_quality(inputs)
         smooth = inputs.get("smooth")
         self.smooth.setValue(AUTOMATIC if smooth is None else smooth)
@@ -266,7 +277,7 @@ class ThickenForm:
                 field.setProperty("rawValue", inputs[name])
         if "resolution" in inputs:
             self.cells.setValue(inputs["resolution"])
-        if self.grid.currentIndex() or inputs["method"] != "auto" or inputs.get("smooth") is not None:
+        if self.grid.currentIndex() or inputs["method"] != "auto" or inputs.get("join") or inputs.get("smooth") is not None:
             self.advanced.setChecked(True)
 
     def start_with(self, side: int, output: int) -> None:
@@ -285,7 +296,7 @@ class ThickenForm:
     def show_running(self, running: bool) -> None:
         """Progress and its button belong to a run, and nothing can be edited while it lasts."""
         self.run_row.show_running(running)
-        inputs = (self.pick, self.thickness, self.side, self.flip, self.method, self.quality, self.tolerance, self.grid,
+        inputs = (self.pick, self.thickness, self.side, self.flip, self.method, self.join, self.quality, self.tolerance, self.grid,
                   self.length, self.cells, self.smooth, self.deflection, self.repair, self.preview)  # fmt: skip
         for widget in inputs:
             widget.setEnabled(not running)

@@ -15,7 +15,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from .. import build, numbers, params, precomputed, prediction, preferences, runs
-from ..arrays import ThickenedMesh, size_of, thicken_mesh
+from thicken.arrays import ThickenedMesh, size_of, thicken_mesh
 from ..part_solid import part_solid_of, size_warning
 from ..sources import DEFAULT_DEFLECTION
 from . import macro, messages
@@ -32,7 +32,7 @@ from .thicken_form import OUTPUTS, ThickenForm
 
 translate = App.Qt.translate
 
-_NAMES = {"thickness": "Thickness", "side": "Side", "method": "Method", "smooth": "Smooth", "repair": "Repair",
+_NAMES = {"thickness": "Thickness", "side": "Side", "method": "Method", "join": "Join", "smooth": "Smooth", "repair": "Repair",
           "cell": "Cell", "resolution": "Resolution", "tolerance": "Tolerance", "deflection": "Deflection"}  # fmt: skip
 
 
@@ -365,6 +365,7 @@ def _inputs_of(feature: Any) -> dict[str, Any]:
     """The inputs of a feature, as ThickenForm.inputs() has them."""
     found = params.arguments(feature)
     found.pop("precision")
+    found["join"] = None if feature.Join == "Automatic" else feature.Join.lower()
     word = feature.Quality.lower()
     if word in params.QUALITIES:
         found.pop("cell", None)
@@ -387,8 +388,8 @@ def _changes(before: dict[str, Any], after: dict[str, Any]) -> list[tuple[str, A
     for word, value in after.items():
         if before.get(word) == value or word == "quality":
             continue
-        if word in ("side", "method"):
-            changes.append((word, str(value).capitalize()))
+        if word in ("side", "method", "join"):
+            changes.append((word, str(value or "automatic").capitalize()))
         elif word in ("thickness", "cell", "tolerance", "deflection"):
             changes.append((word, _length(value)))
         elif word == "smooth":

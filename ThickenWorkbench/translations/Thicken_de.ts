@@ -876,6 +876,38 @@
         <source>Fill holes with a rim below</source>
         <translation>Löcher füllen mit Rand unter</translation>
     </message>
+    <message>
+        <source>Thicken cannot compute yet: its compiled part for {system} and Python {python} is missing ({file}). Install the add-on archive for this system, or put the file into the folder.</source>
+        <translation>Thicken kann noch nicht rechnen: Der kompilierte Teil für {system} und Python {python} fehlt ({file}). Installieren Sie das Archiv der Erweiterung für dieses System, oder legen Sie die Datei in den Ordner.</translation>
+    </message>
+    <message>
+        <source>Open the folder</source>
+        <translation>Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Einzelheiten</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Intersection</source>
+        <translation>Verschneidung</translation>
+    </message>
+    <message>
+        <source>Arc</source>
+        <translation>Bogen</translation>
+    </message>
+    <message>
+        <source>Outside of convex edges: sharp, as planes that meet, or rounded, which takes many more triangles</source>
+        <translation>Außen an konvexen Kanten: scharf, als Ebenen, die sich treffen, oder gerundet, was viel mehr Dreiecke braucht</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <translation>Verbindung</translation>
+    </message>
 </context>
 <context>
     <name>ThickenPreferences</name>

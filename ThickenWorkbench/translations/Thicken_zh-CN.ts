@@ -876,6 +876,38 @@
         <source>Fill holes with a rim below</source>
         <translation>填充边缘短于此值的孔</translation>
     </message>
+    <message>
+        <source>Thicken cannot compute yet: its compiled part for {system} and Python {python} is missing ({file}). Install the add-on archive for this system, or put the file into the folder.</source>
+        <translation>Thicken 尚无法计算：缺少适用于 {system} 和 Python {python} 的编译部分（{file}）。请安装适用于此系统的插件包，或将该文件放入文件夹。</translation>
+    </message>
+    <message>
+        <source>Open the folder</source>
+        <translation>打开文件夹</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>详细信息</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Intersection</source>
+        <translation>相交</translation>
+    </message>
+    <message>
+        <source>Arc</source>
+        <translation>圆弧</translation>
+    </message>
+    <message>
+        <source>Outside of convex edges: sharp, as planes that meet, or rounded, which takes many more triangles</source>
+        <translation>凸边外侧：尖锐（平面相交），或倒圆（需要多得多的三角形）</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <translation>连接</translation>
+    </message>
 </context>
 <context>
     <name>ThickenPreferences</name>

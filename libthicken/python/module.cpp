@@ -5,6 +5,7 @@
 PYBIND11_MODULE(_thicken, module) {
   module.doc() = "Thickens open triangle surfaces into printable solids: libthicken on NumPy arrays.";
   module.attr("__version__") = thicken::kVersion;
+  module.attr("__abi__") = THICKEN_ABI;
   thicken::python::bindError(module);
   thicken::python::bindContext(module);
   thicken::python::bindThicken(module);

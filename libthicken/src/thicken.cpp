@@ -17,6 +17,7 @@
 #include "mesh/topology.h"
 #include "parallel_for.h"
 #include "plan.h"
+#include "platform/memory.h"
 #include "reconstruct/reconstruct.h"
 #include "reconstruct/shell_plan.h"
 #include "repair/folds.h"

@@ -91,6 +91,24 @@ class Panel(GuiCase):
         self.ok()
         self.assertEqual((feature.Quality, feature.Resolution), ("Resolution", 40))
 
+    def test_join_is_asked_for_and_shown_again(self):
+        panel = self.open(self.add_mesh(saddle()))
+        self.child(panel, "Join").setCurrentIndex(2)
+        self.wait_preview(panel)
+        with mock.patch("ThickenWorkbench.precomputed.thicken_mesh", side_effect=AssertionError("computed again")):
+            self.ok()
+        feature = self.doc.getObject("Thicken")
+        self.assertTrue(feature.Valid, feature.getStatusString())
+        self.assertEqual(feature.Join, "Arc")
+        Gui.getDocument(self.doc.Name).setEdit(feature.Name, 0)
+        process_events()
+        panel = editing.current()
+        self.assertEqual(self.child(panel, "Join").currentIndex(), 2)
+        self.assertTrue(self.child(panel, "Advanced").isChecked())
+        self.child(panel, "Join").setCurrentIndex(0)
+        self.ok()
+        self.assertEqual(feature.Join, "Automatic")
+
     def test_an_empty_mesh_is_told(self):
         empty = self.doc.addObject("Mesh::Feature", "Empty")
         self.look()

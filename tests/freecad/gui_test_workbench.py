@@ -2,13 +2,16 @@
 """What FreeCAD shows of the workbench before anything is done with it."""
 
 import os
+import platform
 from pathlib import Path
 from unittest import mock
 
 import FreeCADGui as Gui
 
 from ThickenWorkbench import native
-from gui_case import GuiCase
+from ThickenWorkbench.gui import notice
+from ThickenWorkbench.gui.qt import QtWidgets
+from gui_case import GuiCase, click, process_events
 from thicken_surfaces import saddle
 
 class Offers(GuiCase):
@@ -49,6 +52,27 @@ class Offers(GuiCase):
             with mock.patch.dict(os.environ, {native.DIRECTORY_VARIABLE: str(self.folder)}):
                 self.assertIsNone(self.run_command("Thicken_Make"))
         self.assertEqual(len(self.messages), 1)
-        for word in (native.file_name(), "does not exist", "CMake"):
+        for word in (native.file_name(), native.platform_name(), "docs/install.md"):
             self.assertIn(word, self.messages[0])
         self.assertEqual(len(self.doc.Objects), 1)
+
+    def bars(self):
+        process_events()
+        return Gui.getMainWindow().findChildren(QtWidgets.QToolBar, notice.NAME)
+
+    def test_missing_extension_is_told_once_by_a_bar(self):
+        workbench = Gui.activeWorkbench()
+        self.assertEqual(self.bars(), [], "the extension is there")
+        with mock.patch.object(native, "_loaded", None), mock.patch.object(notice, "_shown", False):
+            with mock.patch.dict(os.environ, {native.DIRECTORY_VARIABLE: str(self.folder)}):
+                workbench.Activated()
+                workbench.Activated()
+            (bar,) = self.bars()
+        self.picture("missing-extension")
+        text = bar.findChild(QtWidgets.QLabel).text()
+        for word in (native.file_name(), native.platform_name(), platform.python_version()):
+            self.assertIn(word, text)
+        self.assertEqual(self.messages, [])
+        close = [button for button in bar.findChildren(QtWidgets.QPushButton) if button.text() == "Close"]
+        click(close[0])
+        self.assertEqual(self.bars(), [])

@@ -173,7 +173,7 @@ class OlderDocuments(DocumentCase):
                 feature = doc.getObject("Thicken")
                 self.assertEqual(feature.SchemaVersion, params.SCHEMA_VERSION)
                 self.assertEqual((feature.Thickness.Value, feature.Side), (1.5, "Positive"))
-                self.assertEqual(feature.Quality, "Standard")
+                self.assertEqual((feature.Quality, feature.Join), ("Standard", "Automatic"))
                 self.assertEqual(feature.getEnumerationsOfProperty("Quality"), list(params.QUALITY_NUMBER))
                 self.assert_solid(feature)
                 feature.Thickness = 1

@@ -11,6 +11,7 @@ from ThickenWorkbench import build, mesh_io
 from thicken_case import DocumentCase
 from thicken_judge import keeps
 from thicken_surfaces import plate, saddle
+from test_thicken_part_solid import box
 
 
 def corners(mesh) -> np.ndarray:
@@ -55,6 +56,20 @@ class Create(DocumentCase):
                 if side != "both":
                     kept = keeps(corners(feature.Mesh), corners(source.Mesh), reversed_sense=side == "positive")
                     self.assertTrue(kept)
+
+    def test_join(self):
+        """Around a cube edges and corners stay sharp, or are rounded as a ball rolling around it would."""
+        source = self.add_source(box((0, 0, 0), (10, 10, 10)))
+        feature = ThickenWorkbench.make_thicken(self.doc, source, 2, "positive", join="intersection")
+        self.assert_solid(feature)
+        self.assertAlmostEqual(feature.Volume.Value, 14**3 - 10**3, places=3)
+        rounded = 6 * 100 * 2 + 12 * 10 * np.pi + 4 / 3 * np.pi * 8
+        feature.Join = "Arc"
+        self.doc.recompute()
+        self.assert_solid(feature)
+        self.assertAlmostEqual(feature.Volume.Value, rounded, delta=0.01 * rounded)
+        with self.assertRaises(ValueError):
+            ThickenWorkbench.make_thicken(self.doc, source, 2, join="bevel")
 
     def test_suggests_a_thickness(self):
         feature = ThickenWorkbench.make_thicken(self.doc, self.add_source(plate(size=20)))

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import ThickenWorkbench
 from ThickenWorkbench import prediction, preferences
-from ThickenWorkbench.arrays import SurfaceSize, size_of
+from thicken.arrays import SurfaceSize, size_of
 from thicken_case import DocumentCase
 from thicken_surfaces import saddle
 

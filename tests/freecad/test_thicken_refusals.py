@@ -134,7 +134,7 @@ class Refusals(DocumentCase):
             with mock.patch.dict(os.environ, {native.DIRECTORY_VARIABLE: empty}):
                 self.feature.Thickness = 0.7
                 self.doc.recompute()
-                self.assert_refused(self.feature, "does not exist", native.file_name())
+                self.assert_refused(self.feature, "there is no", native.file_name())
         self.feature.touch()
         self.doc.recompute()
         self.assert_solid(self.feature)

@@ -4,6 +4,7 @@
 import sys
 import types
 import xml.etree.ElementTree as ElementTree
+from datetime import date
 from pathlib import Path
 from unittest import mock
 
@@ -100,3 +101,17 @@ class Registration(DocumentCase):
         self.assertEqual(text("p:content/p:workbench/p:classname"), "ThickenWorkbench")
         self.assertTrue((ROOT / text("p:icon")).is_file())
         self.assertTrue((ROOT / tree.find("p:license", space).get("file")).is_file())
+
+    def test_manifest_has_what_the_index_of_addons_demands(self):
+        tree = ElementTree.parse(ROOT / "package.xml").getroot()
+        space = {"p": tree.tag[1:].split("}")[0]}
+        addresses = {url.get("type"): url for url in tree.findall("p:url", space)}
+        self.assertTrue({"repository", "readme", "bugtracker"} <= set(addresses), set(addresses))
+        self.assertTrue(addresses["repository"].get("branch"))
+        date.fromisoformat(tree.findtext("p:date", namespaces=space))
+        minimum = tree.findtext("p:content/p:workbench/p:pythonmin", namespaces=space)
+        self.assertRegex(minimum, r"^3\.\d+$")
+        # The Addon Manager installs what is not optional beside FreeCAD's own, and another NumPy breaks that.
+        needed = [item.text for item in tree.findall("p:content/p:workbench/p:depend", space)
+                  if item.get("type") == "python" and item.get("optional") != "true"]  # fmt: skip
+        self.assertEqual(needed, [])

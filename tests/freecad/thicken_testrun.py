@@ -11,6 +11,7 @@ from __future__ import annotations
 import os
 import sys
 import unittest
+import warnings
 from pathlib import Path
 
 FOLDER = Path(__file__).resolve().parent
@@ -18,11 +19,18 @@ PASSED = "thicken: all FreeCAD tests passed"
 SKIPPED = "thicken: all FreeCAD tests skipped"
 
 
+def refuse_what_is_deprecated() -> None:
+    """Have our own code raise where it uses what will not be there for long. FreeCAD's own code may."""
+    for kind in (DeprecationWarning, PendingDeprecationWarning):
+        warnings.filterwarnings("error", category=kind, module=r"(thicken|ThickenWorkbench|test_thicken|gui_)")
+
+
 def main() -> int:
+    refuse_what_is_deprecated()
     chosen = os.environ.get("THICKEN_TEST_MODULES", "").split()
     modules = chosen or sorted(path.stem for path in FOLDER.glob("test_thicken_*.py"))
     suite = unittest.TestSuite(unittest.defaultTestLoader.loadTestsFromName(module) for module in modules)
-    result = unittest.TextTestRunner(stream=sys.stdout, verbosity=2).run(suite)
+    result = unittest.TextTestRunner(stream=sys.stdout, verbosity=2, warnings="").run(suite)
     passed = result.wasSuccessful() and result.testsRun > 0
     if not passed:
         print(f"\nthicken: FreeCAD tests failed ({result.testsRun} run)")

@@ -9,7 +9,7 @@ from pathlib import Path
 PROJECT = Path(__file__).resolve().parents[2]
 VERSION = os.environ["THICKEN_VERSION"]
 SOURCES = (".h", ".cpp", ".py", ".pyi", ".cmake", ".h.in", ".cmake.in")
-FOLDERS = ("libthicken", "ThickenWorkbench", "cmake", "examples", "tests")
+FOLDERS = ("libthicken", "thicken", "ThickenWorkbench", "packaging", "cmake", "examples", "tests")
 
 
 def sources(*folders: str) -> list[Path]:
@@ -33,6 +33,8 @@ class Rules(unittest.TestCase):
         for name, pattern in (
             ("package.xml", r"<version>([^<]+)</version>"),
             ("ThickenWorkbench/__init__.py", r'__version__ = "([^"]+)"'),
+            ("thicken/__init__.py", r'__version__ = "([^"]+)"'),
+            ("pyproject.toml", r'^version = "([^"]+)"'),
             ("CHANGELOG.md", r"^## (\d\S+)"),  # below what is not released yet
         ):
             with self.subTest(name):
@@ -49,6 +51,13 @@ class Rules(unittest.TestCase):
     def test_loops_over_threads_go_through_parallel_for(self):
         files = [f for f in sources("libthicken/src") if f.name != "parallel_for.h"]
         self.assertEqual(offenders(files, r"^\s*#pragma omp|#include <omp\.h>"), [])
+
+    def test_what_is_no_standard_cpp_is_in_one_folder(self):
+        """The platform's own functions; SSE has guards where it is used, and a fallback."""
+        pattern = r"#include <(unistd|fcntl|io|process|windows|psapi|malloc)\.h>|#include <sys/|__builtin_|\bmalloc_trim\(|\bmallopt\("
+        files = sources("libthicken/src", "libthicken/include", "libthicken/python")
+        self.assertEqual(offenders([f for f in files if "platform" not in f.parts], pattern), [])
+        self.assertNotEqual(offenders([f for f in files if "platform" in f.parts], pattern), [])
 
     def test_headers_are_safe_to_include(self):
         headers = sources("libthicken/include")

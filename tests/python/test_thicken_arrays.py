@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from ThickenWorkbench import (
+from thicken import (
     Region,
     RunContext,
     ThickenError,

@@ -7,7 +7,7 @@ import threading
 import time
 import unittest
 
-from ThickenWorkbench import RunContext, ThickenError, thicken_mesh
+from thicken import RunContext, ThickenError, thicken_mesh
 from thicken_surfaces import grid
 
 import numpy as np

@@ -5,7 +5,7 @@ import unittest
 
 import numpy as np
 
-from ThickenWorkbench import native
+from thicken import native
 
 CORNERS = np.array([[i >> k & 1 for k in range(3)] for i in range(8)], float)
 BOX = np.array([[0, 3, 1], [0, 2, 3], [4, 5, 7], [4, 7, 6], [0, 1, 5], [0, 5, 4],

@@ -12,10 +12,10 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-import ThickenWorkbench
-from ThickenWorkbench import native
+import thicken
+from thicken import native
 
-ROOT = Path(ThickenWorkbench.__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]  # the package that is tested may be an installed one
 
 
 class Load(unittest.TestCase):
@@ -39,28 +39,65 @@ class Load(unittest.TestCase):
         text = self.failure()
         self.assertIn(native.file_name(), text)
         self.assertIn(str(self.folder), text)
-        self.assertIn("does not exist", text)
-        self.assertIn("CMake", text)
+        self.assertIn(native.platform_name(), text)
+        self.assertIn(sys.version.split()[0], text)
+        self.assertIn("docs/install.md", text)
+
+    def test_what_is_there_for_others_is_told(self):
+        package = self.folder / "thicken"
+        other = package / "binaries" / "win-amd64" / "_thicken.cp311-win_amd64.pyd"
+        other.parent.mkdir(parents=True)
+        other.touch()
+        with mock.patch.object(native, "PACKAGE_DIR", package):
+            self.assertIn("There is: win-amd64/_thicken.cp311-win_amd64.pyd.", self.failure())
+
+    def test_of_the_binaries_the_one_for_this_platform_and_python_is_taken(self):
+        package = self.folder / "thicken"
+        for platform in (native.platform_name(), "other-cpu"):
+            folder = package / "binaries" / platform
+            folder.mkdir(parents=True)
+            (folder / native.file_name()).touch()
+            (folder / "_thicken.cpython-399-other.so").write_bytes(b"of another Python")
+        environment = {name: value for name, value in os.environ.items() if name != native.DIRECTORY_VARIABLE}
+        with mock.patch.object(native, "PACKAGE_DIR", package), mock.patch.dict(os.environ, environment, clear=True):
+            self.assertEqual(native._find(), package / "binaries" / native.platform_name() / native.file_name())
+
+    def test_of_an_installed_package(self):
+        """The add-on has none for this Python, but a wheel is installed."""
+        wheel = self.folder / "site" / "thicken"
+        wheel.mkdir(parents=True)
+        (wheel / native.file_name()).touch()
+        environment = {name: value for name, value in os.environ.items() if name != native.DIRECTORY_VARIABLE}
+        with (
+            mock.patch.object(native, "PACKAGE_DIR", self.folder / "thicken"),
+            mock.patch.object(sys, "path", [str(wheel.parent)]),
+            mock.patch.dict(os.environ, environment, clear=True),
+        ):
+            self.assertEqual(native._find(), wheel / native.file_name())
 
     def test_not_loadable_keeps_the_loader_s_own_words(self):
         (self.folder / native.file_name()).write_bytes(b"not a shared object, but long enough to look at")
         self.assertRegex(self.failure(), "does not load: .*(ELF|file too short|invalid)")
 
-    def test_of_another_version(self):
-        with mock.patch.object(native, "__version__", "99.0.0"):
+    def test_of_another_abi(self):
+        with mock.patch.object(native, "ABI", native.ABI + 1):
             with self.assertRaises(native.NativeError) as caught:
                 native.load()
-        self.assertRegex(str(caught.exception), rf"version {re.escape(ThickenWorkbench.__version__)}, .*99\.0\.0")
+        self.assertIn(f"has the ABI {native.ABI}, but this version needs the ABI {native.ABI + 1}", str(caught.exception))
+
+    def test_of_another_version_with_the_same_abi(self):
+        with mock.patch.object(thicken, "__version__", "99.0.0"):
+            self.assertTrue(native.load())
 
     def test_loads_once(self):
         self.assertIs(native.load(), native.load())
-        self.assertEqual(native.load().__version__, ThickenWorkbench.__version__)
+        self.assertEqual(native.load().__version__, thicken.__version__)
 
     def test_package_can_be_imported_without_it(self):
-        code = "import ThickenWorkbench, sys; assert 'numpy' not in sys.modules; ThickenWorkbench.ThickenError"
+        code = "import thicken, sys; assert 'numpy' not in sys.modules; thicken.ThickenError"
         run = subprocess.run(
             [sys.executable, "-B", "-c", code],
-            env={**os.environ, "PYTHONPATH": str(ROOT), native.DIRECTORY_VARIABLE: str(self.folder)},
+            env={**os.environ, native.DIRECTORY_VARIABLE: str(self.folder)},
             capture_output=True,
             text=True,
         )
@@ -70,20 +107,30 @@ class Load(unittest.TestCase):
 
 class Names(unittest.TestCase):
     def test_lazy_names_exist(self):
-        of_arrays = ("arrays", "native", "regions")  # the others need FreeCAD, and are tested in it
-        for name, home in ThickenWorkbench._HOMES.items():
-            if home in of_arrays:
-                self.assertTrue(hasattr(ThickenWorkbench, name), name)
+        for name in thicken.__all__:
+            self.assertTrue(hasattr(thicken, name), name)
         with self.assertRaises(AttributeError):
-            ThickenWorkbench.no_such_name
+            thicken.no_such_name
 
     def test_package_is_typed(self):
-        self.assertTrue((Path(ThickenWorkbench.__file__).parent / "py.typed").is_file())
+        self.assertTrue((Path(thicken.__file__).parent / "py.typed").is_file())
 
     def test_version_is_that_of_the_project(self):
         text = (ROOT / "CMakeLists.txt").read_text()
         (version,) = re.findall(r"project\(\w+\s+VERSION\s+([\d.]+)", text)
-        self.assertEqual(version, ThickenWorkbench.__version__)
+        self.assertEqual(version, thicken.__version__)
+
+
+@unittest.skipUnless(thicken.__file__.startswith(str(ROOT)), "an installed package has no workbench beside it")
+class Workbench(unittest.TestCase):
+    def test_has_the_same_objects(self):
+        import ThickenWorkbench
+
+        self.assertEqual(ThickenWorkbench.__version__, thicken.__version__)
+        for name in thicken.OF_ARRAYS + thicken.OF_EXTENSION:
+            self.assertIs(getattr(ThickenWorkbench, name), getattr(thicken, name), name)
+        with self.assertRaises(AttributeError):
+            ThickenWorkbench.no_such_name
 
 
 class Stub(unittest.TestCase):
@@ -91,7 +138,7 @@ class Stub(unittest.TestCase):
 
     def setUp(self):
         self.module = native.load()
-        stub = Path(ThickenWorkbench.__file__).with_name("_thicken.pyi")
+        stub = Path(thicken.__file__).with_name("_thicken.pyi")
         self.stub = {node.name: node for node in ast.parse(stub.read_text()).body if hasattr(node, "name")}
 
     def test_names(self):

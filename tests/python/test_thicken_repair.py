@@ -5,7 +5,7 @@ import unittest
 
 import numpy as np
 
-from ThickenWorkbench import ThickenError, check_mesh, divide_into_sheets, repair_mesh, thicken_mesh
+from thicken import ThickenError, check_mesh, divide_into_sheets, repair_mesh, thicken_mesh
 from thicken_judge import is_closed_and_oriented, keeps
 from thicken_surfaces import crossing_plates, fin, plate, together
 

@@ -10,6 +10,7 @@
 #include <bit>
 
 #include "bvh/distance_tree.h"
+#include "platform/prefetch.h"
 
 namespace thicken {
 
@@ -76,7 +77,7 @@ inline int DistanceTree::put(const Node& n, const Four& squaredDistance, float r
 inline void DistanceTree::prefetch(std::int32_t child) const {
   const char* at = child < 0 ? reinterpret_cast<const char*>(&leaves_[static_cast<std::size_t>(-1 - child)])
                              : reinterpret_cast<const char*>(&nodes_[static_cast<std::size_t>(child)]);
-  for (int line = 0; line < 4; ++line) __builtin_prefetch(at + 64 * line);
+  for (int line = 0; line < 4; ++line) thicken::prefetch(at + 64 * line);
 }
 
 // Improves `hit` by the triangles of a leaf, and `reach` with it; returns whether any was nearer.

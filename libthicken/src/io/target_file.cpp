@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "io/target_file.h"
 
-#include <unistd.h>
-
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
-#include <cstring>
 #include <system_error>
 
 #include "io/source_file.h"
+#include "platform/files.h"
+#include "platform/process.h"
 #include "thicken/error.h"
 #include "thicken/io.h"
 
@@ -23,17 +23,17 @@ namespace fs = std::filesystem;
 struct Slot {
   enum State : int { kFree, kFilling, kUsed };
   std::atomic<int> state{kFree};
-  std::array<char, 4096> path{};
+  std::array<PathChar, 4096> path{};
 };
 static_assert(std::atomic<int>::is_always_lock_free);
 std::array<Slot, 16> slots;
 
-int takeSlot(const std::string& path) {
+int takeSlot(const fs::path::string_type& path) {
   if (path.size() >= slots[0].path.size()) return -1;
   for (std::size_t i = 0; i < slots.size(); ++i) {
     int free = Slot::kFree;
     if (!slots[i].state.compare_exchange_strong(free, Slot::kFilling)) continue;
-    std::memcpy(slots[i].path.data(), path.c_str(), path.size() + 1);
+    std::copy_n(path.c_str(), path.size() + 1, slots[i].path.data());
     slots[i].state.store(Slot::kUsed);
     return static_cast<int>(i);
   }
@@ -65,7 +65,7 @@ TargetFile::TargetFile(const fs::path& path) : path_(path), place_(linkedPlace(p
   if (fs::exists(place_, ignored)) {
     if (!fs::is_regular_file(place_, ignored)) fail("is not a regular file");
     // Renaming would replace even a file that is write-protected.
-    if (::access(place_.c_str(), W_OK) != 0) fail("cannot be replaced: " + reasonOf(errno));
+    if (!mayWrite(place_)) fail("cannot be replaced: " + reasonOf(errno));
   }
   openTemporary();
 }
@@ -74,8 +74,8 @@ void TargetFile::openTemporary() {
   constexpr int kMostTries = 1000;
   for (int i = 0; i < kMostTries && !file_; ++i) {
     temporary_ =
-        place_.parent_path() / (".thicken-" + std::to_string(::getpid()) + "-" + std::to_string(i) + ".tmp");
-    file_ = std::fopen(temporary_.c_str(), "wbx");  // x: fails when there is such a file
+        place_.parent_path() / (".thicken-" + std::to_string(processId()) + "-" + std::to_string(i) + ".tmp");
+    file_ = createFile(temporary_);
     if (!file_ && errno != EEXIST) break;
   }
   if (!file_) fail("cannot be written: " + reasonOf(errno));
@@ -89,7 +89,7 @@ TargetFile::~TargetFile() {
 void TargetFile::removeTemporary() noexcept {
   if (file_) std::fclose(file_);
   file_ = nullptr;
-  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  if (!temporary_.empty()) removeFile(temporary_.c_str());
   temporary_.clear();
   if (slot_ >= 0) slots[static_cast<std::size_t>(slot_)].state.store(Slot::kFree);
   slot_ = -1;
@@ -112,7 +112,7 @@ void TargetFile::commit() {
   std::FILE* const file = file_;
   file_ = nullptr;
   if (std::fclose(file) != 0) fail("cannot be written: " + reasonOf(errno));
-  if (std::rename(temporary_.c_str(), place_.c_str()) != 0) fail("cannot be replaced: " + reasonOf(errno));
+  if (!replaceFile(temporary_, place_)) fail("cannot be replaced: " + reasonOf(errno));
   temporary_.clear();
   removeTemporary();
 }
@@ -127,7 +127,7 @@ namespace thicken {
 
 void abandonWrites() noexcept {
   for (io::Slot& slot : io::slots) {
-    if (slot.state.load() == io::Slot::kUsed) ::unlink(slot.path.data());
+    if (slot.state.load() == io::Slot::kUsed) removeFile(slot.path.data());
   }
 }
 

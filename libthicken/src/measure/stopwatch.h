@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Wall-clock seconds of the stages of a run, and the memory that the process has taken at most.
+// Wall-clock seconds of the stages of a run.
 #pragma once
 
 #include <chrono>
-#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,8 +24,5 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
   std::vector<std::pair<std::string, double>> laps_;
 };
-
-/// Largest resident size of the process so far, bytes.
-[[nodiscard]] std::size_t peakMemory();
 
 }  // namespace thicken

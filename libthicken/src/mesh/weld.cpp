@@ -8,6 +8,7 @@
 
 #include "mesh/topology.h"
 #include "parallel_for.h"
+#include "platform/prefetch.h"
 #include "thicken/check.h"
 
 namespace thicken {
@@ -39,7 +40,7 @@ class PlaceTable {
       : places_(places), hashes_(hashes), slot_(std::bit_ceil(2 * expected + 2), kNone) {}
 
   // Brings the line that firstOf() looks at first into the cache.
-  void prefetch(std::uint32_t id) const { __builtin_prefetch(&slot_[hashes_[id] & (slot_.size() - 1)]); }
+  void prefetch(std::uint32_t id) const { thicken::prefetch(&slot_[hashes_[id] & (slot_.size() - 1)]); }
 
   // The place that was asked for first of those that equal this one: the place itself when it is new.
   std::uint32_t firstOf(std::uint32_t id) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "plan.h"
-#include "program/machine_memory.h"
+#include "platform/memory.h"
 #include "thicken/error.h"
 #include "thicken/version.h"
 
@@ -222,6 +222,7 @@ Request readArguments(int argc, const char* const* argv) {
   arguments.command = check ? Command::kCheck : Command::kThicken;
   const std::string command = check ? "thicken check" : "thicken";
   CLI::App app("", command);
+  app.allow_windows_style_options(false);  // "/tmp/scan.ply" is a file there, too
   double memory = 0;
   check ? describeCheck(app, arguments) : describeThicken(app, arguments);
   describeRun(app, arguments, memory);

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "program/files.h"
 
-#include <unistd.h>
-
 #include <system_error>
 
 #include "io/target_file.h"
+#include "platform/files.h"
 #include "thicken/error.h"
 
 namespace thicken::program {
@@ -25,7 +24,7 @@ void requireFolderFor(const fs::path& path) {
   const fs::path folder = place.parent_path();
   if (!fs::is_directory(folder, ignored))
     refuse(path, "there is no folder \"" + folder.string() + "\"; make it first");
-  if (access(folder.c_str(), W_OK | X_OK) != 0)
+  if (!mayWriteInto(folder))
     refuse(path, "the folder \"" + folder.string() + "\" does not allow it; choose another");
 }
 

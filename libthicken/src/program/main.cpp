@@ -7,9 +7,9 @@
 #include <iostream>
 #include <new>
 
+#include "platform/memory.h"
 #include "program/arguments.h"
 #include "program/interrupt.h"
-#include "program/machine_memory.h"
 #include "program/messages.h"
 #include "program/run.h"
 

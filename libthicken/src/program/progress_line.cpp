@@ -2,7 +2,6 @@
 #include "program/progress_line.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <cmath>
@@ -10,6 +9,8 @@
 #include <string>
 #include <system_error>
 #include <utility>
+
+#include "platform/process.h"
 
 namespace thicken::program {
 namespace {
@@ -21,7 +22,7 @@ constexpr const char* kWipeLine = "\r\x1b[K";
 }  // namespace
 
 ProgressLine::ProgressLine(RunContext context, bool quiet) : context_(std::move(context)) {
-  if (quiet || isatty(STDERR_FILENO) == 0) return;
+  if (quiet || !stderrIsTerminal()) return;
   try {
     thread_ = std::thread([this] { show(); });
   } catch (const std::system_error&) {

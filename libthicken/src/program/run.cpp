@@ -15,6 +15,7 @@
 
 #include "io/sha256.h"
 #include "measure/stopwatch.h"
+#include "platform/memory.h"
 #include "program/files.h"
 #include "program/made_before.h"
 #include "program/messages.h"

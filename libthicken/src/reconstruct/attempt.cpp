@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "measure/stopwatch.h"
-#include "mesh/freed_memory.h"
 #include "mesh/half_edges.h"
 #include "mesh/sort_unique.h"
+#include "platform/memory.h"
 #include "reconstruct/covered.h"
 #include "reconstruct/diagonals.h"
 #include "reconstruct/loose_parts.h"

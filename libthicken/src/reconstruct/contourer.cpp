@@ -7,8 +7,8 @@
 
 #include "measure/stopwatch.h"
 #include "mesh/bounds.h"
-#include "mesh/freed_memory.h"
 #include "parallel_for.h"
+#include "platform/memory.h"
 #include "thicken/error.h"
 
 namespace thicken {

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 __version__: str
+__abi__: int  #: of thicken.native
 
 class ThickenError(RuntimeError):
     code: str
