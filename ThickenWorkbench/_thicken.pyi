@@ -40,6 +40,7 @@ def thicken(
     repair: bool = False,
     weld: float | None = None,
     join: str | None = None,
+    simplify: str = "auto",
     threads: int = 0,
     context: RunContext | None = None,
 ) -> dict[str, Any]: ...

@@ -64,6 +64,7 @@ def thicken_mesh(
     repair: bool = False,
     weld: float | None = None,
     join: Literal["mitre", "round"] | None = None,
+    simplify: Literal["off", "auto", "shell"] = "auto",
     threads: int = 0,
     memory: float | None = None,
     precision: Literal["single", "double"] = "single",
@@ -76,6 +77,8 @@ def thicken_mesh(
     else, with "double" its coordinates stay; new vertices hold float values in either case.
     `join`: what the shell is like outside of convex edges and corners: "mitre", planes up to twice the thickness
     away (the default), or "round" (the default with `tolerance` and for "reconstruct").
+    `simplify`: triangles to merge into fewer within the tolerance: "off", "auto", those of walls and of a shell that is
+    denser than the surface, or "shell", all but the surface's own.
     `memory` is a limit in MiB. `context` polls and cancels the run from another thread; Ctrl-C
     ends it as well. Other Python threads run meanwhile.
 
@@ -102,6 +105,7 @@ def thicken_mesh(
         repair=repair,
         weld=weld,
         join=join,
+        simplify=simplify,
         threads=threads,
         context=context,
     )

@@ -20,6 +20,7 @@
 #include "reconstruct/reconstruct.h"
 #include "repair/folds.h"
 #include "repair/outcome.h"
+#include "simplify/simplify.h"
 #include "sweep/sweep.h"
 
 namespace thicken {
@@ -27,7 +28,7 @@ namespace thicken {
 namespace {
 
 // Shares of the progress at which the stages begin.
-constexpr double kChecked = 0.15, kSwept = 0.75, kAudited = 0.9;
+constexpr double kChecked = 0.15, kSwept = 0.75, kSimplified = 0.8, kAudited = 0.9;
 
 TriangleMesh stored(const TriangleMesh& surface, Precision precision, int threads) {
   if (precision == Precision::kDouble) return weld(surface, threads);
@@ -203,17 +204,21 @@ std::optional<Solid> deepenedSolid(const TriangleMesh& oriented, const ClosestPo
   }
 }
 
-// Proves the better of the two, or the sweep where the other fails. `order`: audit()'s, for the sweep.
-Solid provedOf(std::optional<Solid> better, std::optional<Solid> swept, const TriangleMesh& surface,
-               Side side, const RunContext& context, int threads, std::span<const TriangleId> order,
-               std::vector<Fallback>& fallbacks) {
+// Simplifies and proves the better of the two, or the sweep where the other fails. `order`: audit()'s, for
+// the sweep.
+template <class Simplified>
+Solid provedOf(std::optional<Solid> better, std::optional<Solid> swept, const Simplified& simplified,
+               const TriangleMesh& surface, Side side, const RunContext& context, int threads,
+               std::span<const TriangleId> order, std::vector<Fallback>& fallbacks) {
   if (better) try {
+      simplified(*better);
       proveOrThrow(*better, surface, side, context, threads);
       return std::move(*better);
     } catch (const Error& e) {
       if (!swept || !leavesTheSweep(e)) throw;
       fallbacks.push_back(fallbackFor(e, "audit", surface));
     }
+  simplified(*swept);
   proveOrThrow(*swept, surface, side, context, threads, order);
   return std::move(*swept);
 }
@@ -241,14 +246,23 @@ Solid provedSolid(const TriangleMesh& surface, const TriangleMesh& oriented, con
     swept = sweptSolid(std::move(made), input, options, threads);
   }
 
-  context.enter(Stage::kAuditing, kSwept, kAudited);
-  Solid solid = provedOf(std::move(better), std::move(swept), surface, options.side, context, threads,
-                         sweptOrder, fallbacks);
+  const SimplifyRequest request{
+      oriented, tree, options.thickness, options.side, joinOf(options), options.tolerance, options.simplify};
+  const auto simplified = [&](Solid& solid) {
+    context.enter(Stage::kShaping, kSwept, kSimplified);
+    solid.report.simplify = simplify(solid.mesh, solid.region, request, context, threads);
+    watch.lap("simplify");
+    context.enter(Stage::kAuditing, kSimplified, kAudited);
+  };
+  Solid solid = provedOf(std::move(better), std::move(swept), simplified, surface, options.side, context,
+                         threads, sweptOrder, fallbacks);
   solid.report.fallbacks.insert(solid.report.fallbacks.end(), fallbacks.begin(), fallbacks.end());
   watch.lap("audit");
 
   context.enter(Stage::kMeasuring, kAudited, 1);
-  if (solid.report.method != Method::kSweep) sweptShell = {};  // another mesh than the sweep's
+  const SimplifyFacts& fewer = solid.report.simplify;
+  if (solid.report.method != Method::kSweep || fewer.after != fewer.before)
+    sweptShell = {};  // another mesh than the sweep's
   measure(solid, oriented, tree, std::move(sweptShell),
           options.tolerance ? Measure::kAll : Measure::kRepresentative, context, threads);
   watch.lap("measure");
