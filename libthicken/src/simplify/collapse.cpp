@@ -45,7 +45,8 @@ double aspectOf(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 // The heap has its largest on top: that is the cheapest, of equals the one of the lowest vertices.
 bool Collapse::Candidate::operator<(const Candidate& other) const {
-  return std::tie(cost, a, b) > std::tie(other.cost, other.a, other.b);
+  if (cost != other.cost) return cost > other.cost;
+  return std::tie(a, b) > std::tie(other.a, other.b);
 }
 
 Collapse::Collapse(TriangleMesh& mesh, LinkedMesh& links, std::span<const Region> region,
@@ -160,13 +161,16 @@ bool Collapse::tryEdge(VertexId a, VertexId b) {
 
 void Collapse::gatherChanged(VertexId a, VertexId b) {
   changed_.clear();
+  facing_ = {Vec3::Zero(), Vec3::Zero()};
   oldAspect_ = 0;
   anyLoose_ = false;
   const auto take = [&](TriangleId t, bool isIn) {
     const auto [p, q, s] = cornersOf(mesh_.triangles[t]);
+    const Vec3 normal = (q - p).cross(s - p);
     oldAspect_ = std::max(oldAspect_, aspectOf(p, q, s));
     anyLoose_ |= targets_.isLoose[t] != 0;
-    if (isIn) changed_.push_back({t, mesh_.triangles[t], (q - p).cross(s - p), false});
+    facing_[region_[t] == Region::kWall] += normal;
+    if (isIn) changed_.push_back({t, mesh_.triangles[t], normal, false});
   };
   std::size_t count = 0;
   for (const TriangleId t : starA_) {
@@ -194,13 +198,17 @@ bool Collapse::tryAt(VertexId keep, VertexId go, const Vec3& place, bool isNew) 
 }
 
 // No triangle turns by more than some 70 degrees, is without area, or is a needle among others that are none.
+// The normal of a needle says little: one that turns may face as all of them did together.
 bool Collapse::areWellShaped() const {
   constexpr double kTurn = 0.3;
   const double most = std::max(kNeedle, oldAspect_);
   for (const Changed& c : changed_) {
     const auto [p, q, s] = cornersOf(c.corners);
     const Vec3 normal = (q - p).cross(s - p);
-    if (!(normal.dot(c.normal) > kTurn * normal.norm() * c.normal.norm())) return false;
+    const Vec3& facing = facing_[region_[c.id] == Region::kWall];
+    if (!(normal.dot(c.normal) > kTurn * normal.norm() * c.normal.norm() ||
+          normal.dot(facing) > kTurn * normal.norm() * facing.norm()))
+      return false;
     if (aspectOf(p, q, s) > most || exact::collinear(p, q, s)) return false;
   }
   return true;
@@ -213,20 +221,21 @@ bool Collapse::coverTargets() {
   static thread_local std::vector<PreparedTriangle> prepared;
   prepared.clear();
   for (const Changed& c : changed_) prepared.emplace_back(cornersOf(c.corners), c.corners);
-  const double most2 = limits_.error * limits_.error;
   const auto cover = [&](TriangleId t, std::size_t guess) {
     for (std::uint32_t i = targets_.first[t]; i != ShellTargets::kEnd; i = targets_.targets[i].next) {
+      const double most2 = double(targets_.targets[i].most) * targets_.targets[i].most;
       double least = kInfinite;
       std::size_t at = 0;
       for (std::size_t k = 0; k < prepared.size(); ++k) {
-        const std::size_t j = (guess + k) % prepared.size();
-        const double d2 =
-            closestOnTriangle(targets_.targets[i].at, prepared[j], std::min(least, most2)).squaredDistance;
-        if (d2 < least) {
-          least = d2;
-          at = j;
-        }
+        const std::size_t j = guess + k < prepared.size() ? guess + k : guess + k - prepared.size();
+        const TriangleClosest c =
+            closestOnTriangle(targets_.targets[i].at, prepared[j], std::min(least, most2));
+        if (c.squaredDistance >= least) continue;
+        least = c.squaredDistance;
+        at = j;
+        if (c.feature == Feature::kFace && least <= most2) break;  // straight above it
       }
+      guess = at;
       if (!(least <= most2)) return false;
       farthest_ = std::max(farthest_, least);
       moves_.push_back({i, static_cast<std::uint32_t>(at)});

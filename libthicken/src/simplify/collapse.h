@@ -99,6 +99,7 @@ class Collapse {
   std::array<TriangleId, 2> gone_{};
   std::vector<TriangleId> starA_, starB_;
   std::vector<Changed> changed_;
+  std::array<Vec3, 2> facing_;  // sum of the normals of the shell's triangles, and of the wall's
   double oldAspect_ = 0;
   bool anyLoose_ = false;
   struct Move {

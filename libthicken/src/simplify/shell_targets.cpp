@@ -83,9 +83,10 @@ Place ShellDefinition::at(const Vec3& p) const {
   place.area = areaOf(surface_.positions, surface_.triangles[c.triangle]);
   const OffsetError::Error error = error_.at(p, c);
   place.error = error.mm;
+  place.isWall = c.onRim;
   place.isLoose = c.onRim || std::abs(error.mm) > most_ || c.distance <= 0;
   if (place.isLoose) return place;
-  place.isFree = join_ == Join::kMitre && c.feature != Feature::kFace && c.distance > r_ && error.mm == 0;
+  place.isFree = join_ == Join::kMitre && c.feature != Feature::kFace && error.mm <= 0;
   place.target = p - error.mm * error.away;
   place.normal = error.away;
   return place;
@@ -96,8 +97,9 @@ std::size_t samplesOn(const Corners& corner, double r) {
 }
 
 ShellTargets shellTargets(const TriangleMesh& solid, std::span<const Region> region,
-                          const ShellDefinition& definition, double r, bool copies, const Vec3& center,
-                          const RunContext& context, int threads) {
+                          const ShellDefinition& definition, double r, double error, bool copies,
+                          const Vec3& center, const RunContext& context, int threads) {
+  constexpr double kWall = 3;     // a wall may lean, and is as wide as the rim's triangles let it be
   constexpr double kDense = 0.5;  // of the area of the triangle of S
   const std::size_t count = solid.triangles.size();
   std::vector<Place> middle(count);
@@ -112,7 +114,10 @@ ShellTargets shellTargets(const TriangleMesh& solid, std::span<const Region> reg
     const Corners c = cornersOf(solid, t);
     const Vec3 p = (c[0] + c[1] + c[2]) / 3;
     if (region[t] == Region::kShell) middle[t] = definition.at(p);
-    if (region[t] == Region::kWall) middle[t] = ownTarget(p, Vec3::Zero());
+    if (region[t] == Region::kWall) {
+      middle[t] = ownTarget(p, Vec3::Zero());
+      middle[t].isWall = true;
+    }
     if (middle[t].isLoose) middle[t].normal = (c[1] - c[0]).cross(c[2] - c[0]).stableNormalized();
     made.isLoose[t] = middle[t].isLoose;
     made.isDense[t] = copies || region[t] == Region::kWall ||
@@ -127,17 +132,20 @@ ShellTargets shellTargets(const TriangleMesh& solid, std::span<const Region> reg
     if (!middle[t].isFree)
       for (const VertexId v : solid.triangles[t])
         made.quadric[v].add(middle[t].normal, middle[t].target - center, area);
-    if (const int n = divisionsOf(c, r); n == 1 && !middle[t].isFree) {
-      made.add(t, middle[t].target);
-    } else if (n > 1) {
+    const auto add = [&](const Vec3& at, const Place& place) {
+      if (!place.isFree) made.add(t, at, place.isWall ? error * kWall : error);
+    };
+    if (const int n = divisionsOf(c, r); n == 1) {
+      add(middle[t].target, middle[t]);
+    } else {
       forMiddles(c, n, [&](const Vec3& p) {
         const Place place = middle[t].isLoose ? middle[t] : definition.at(p);
-        if (!place.isFree) made.add(t, place.isLoose ? p : place.target);
+        add(place.isLoose ? p : place.target, place);
       });
     }
     if (made.isLoose[t])
       for (const VertexId v : solid.triangles[t])
-        if (!std::exchange(hasTarget[v], std::uint8_t{1})) made.add(t, solid.positions[v]);
+        if (!std::exchange(hasTarget[v], std::uint8_t{1})) add(solid.positions[v], middle[t]);
   }
   return made;
 }

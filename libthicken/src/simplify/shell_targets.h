@@ -33,6 +33,7 @@ class ShellDefinition {
     Vec3 target = Vec3::Zero(), normal = Vec3::Zero();  ///< of the definition, which goes through `target`
     double error = 0;                                   ///< mm, how far off it is
     bool isLoose = false;  ///< the definition is elsewhere: the point is its own target
+    bool isWall = false;   ///< loose, and of the cross-section
     bool isFree = false;   ///< any shell between the round and the mitred one is right
     double area = 0;       ///< mm², of the triangle of S that is nearest
   };
@@ -55,6 +56,7 @@ struct ShellTargets {
   static constexpr std::uint32_t kEnd = 0xffffffffu;
   struct Target {
     Vec3 at;
+    float most;  ///< mm, farthest that triangles may be
     std::uint32_t next;
   };
   std::vector<Target> targets;
@@ -63,16 +65,18 @@ struct ShellTargets {
   std::vector<std::uint8_t> isDense;  ///< per triangle: one to do without
   std::vector<Quadric> quadric;       ///< per vertex
 
-  void add(TriangleId t, const Vec3& at) {
-    targets.push_back({at, first[t]});
+  void add(TriangleId t, const Vec3& at, double most) {
+    targets.push_back({at, static_cast<float>(most), first[t]});
     first[t] = static_cast<std::uint32_t>(targets.size() - 1);
   }
 };
 
 /// The targets of all triangles around dense ones: of walls, and of those of the shell that are smaller than
-/// the triangles of S that they are nearest to, or with `copies` all. `center`: from where quadrics measure.
+/// the triangles of S that they are nearest to, or with `copies` all. `error`: mm, how far off the shell may
+/// be; `center`: from where quadrics measure.
 [[nodiscard]] ShellTargets shellTargets(const TriangleMesh& solid, std::span<const Region> region,
-                                        const ShellDefinition& definition, double r, bool copies,
-                                        const Vec3& center, const RunContext& context, int threads);
+                                        const ShellDefinition& definition, double r, double error,
+                                        bool copies, const Vec3& center, const RunContext& context,
+                                        int threads);
 
 }  // namespace thicken::simplifying

@@ -69,8 +69,8 @@ SimplifyFacts simplify(TriangleMesh& solid, std::vector<Region>& region, const S
       const Bounds bounds = boundsOf(solid);
       const Vec3 center = (bounds.low + bounds.high) / 2;
       const ShellDefinition definition(request.surface, request.tree, r, request.join, most, threads);
-      ShellTargets targets = shellTargets(solid, region, definition, r, request.what == Simplify::kShell,
-                                          center, context, threads);
+      ShellTargets targets = shellTargets(solid, region, definition, r, kShare * most,
+                                          request.what == Simplify::kShell, center, context, threads);
       Limits limits{r, kShare * most, request.side, {}};
       if (request.tolerance) limits.proved = kProvedShare * *request.tolerance;
       Collapse collapse(solid, links, region, request.surface.positions.size(), definition, request.tree,
