@@ -72,6 +72,7 @@ def make_thicken(
     resolution: int | None = None,
     tolerance: Any = None,
     smooth: int | None = None,
+    simplify: str = "auto",
     repair: bool = False,
     faces: Sequence[Any] = (),
     facets: Iterable[int] = (),
@@ -99,7 +100,7 @@ def make_thicken(
     choice = (list(faces), [int(facet) for facet in facets], deflection)
     _require_sense(sources, choice, output)
     inputs = dict(
-        side=side, method=method, repair=repair, smooth=smooth, quality=quality,
+        side=side, method=method, repair=repair, smooth=smooth, simplify=simplify, quality=quality,
         cell=cell, resolution=resolution, tolerance=tolerance,
     )
     made = []

@@ -98,7 +98,8 @@ void bindThicken(py::module_& module) {
              arg("side") = "negative", arg("method") = "auto", arg("precision") = "single",
              arg("cell") = py::none(), arg("resolution") = py::none(), arg("tolerance") = py::none(),
              arg("smooth") = py::none(), arg("repair") = false, arg("weld") = py::none(),
-             arg("join") = py::none(), arg("simplify") = "auto", arg("threads") = 0, arg("context") = py::none(),
+             arg("join") = py::none(), arg("simplify") = "auto", arg("threads") = 0,
+             arg("context") = py::none(),
              "Thicken a surface; returns a dict of vertices, triangles, region, depth and report.");
   module.def("check", &checkArrays, arg("vertices"), arg("triangles"), py::kw_only(), arg("threads") = 0,
              arg("context") = py::none(),

@@ -5,15 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 #include <utility>
 
-#include "bvh/triangle_distance.h"
 #include "exact/predicates.h"
 #include "exact/triangle_pair.h"
 #include "measure/error_bound.h"
 #include "measure/shell_samples.h"
-#include "mesh/bounds.h"
 #include "mesh/float_lattice.h"
 
 namespace thicken::simplifying {
@@ -43,12 +40,6 @@ double aspectOf(const Vec3& a, const Vec3& b, const Vec3& c) {
   return twiceArea > 0 ? longest2 / twiceArea : kInfinite;
 }
 
-// The heap has its largest on top: that is the cheapest, of equals the one of the lowest vertices.
-bool Collapse::Candidate::operator<(const Candidate& other) const {
-  if (cost != other.cost) return cost > other.cost;
-  return std::tie(a, b) > std::tie(other.a, other.b);
-}
-
 Collapse::Collapse(TriangleMesh& mesh, LinkedMesh& links, std::span<const Region> region,
                    std::size_t fixedVertices, const ShellDefinition& definition, const ClosestPointTree& tree,
                    ShellTargets& targets, const Vec3& center, const Limits& limits, int threads)
@@ -76,24 +67,35 @@ void Collapse::countCreases() {
       }
 }
 
+// Block after block, so that what is looked at is in the processor's caches; then what is between the blocks,
+// and what could not be collapsed before others were.
 void Collapse::run(const RunContext& context) {
-  for (TriangleId t = 0; t < mesh_.triangles.size(); ++t)
+  constexpr std::size_t kBlock = 8192;  // triangles
+  const std::vector<TriangleId> order = boxes_.order();
+  block_.assign(mesh_.positions.size(), 0);
+  for (std::size_t i = 0; i < order.size(); ++i)
+    for (const VertexId v : mesh_.triangles[order[i]]) block_[v] = static_cast<std::uint32_t>(i / kBlock);
+  for (std::size_t begin = 0; begin < order.size(); begin += kBlock)
+    collapseAmong(std::span(order).subspan(begin, std::min(kBlock, order.size() - begin)), context);
+  std::ranges::fill(block_, 0);
+  collapseAmong(order, context);
+}
+
+void Collapse::collapseAmong(std::span<const TriangleId> triangles, const RunContext& context) {
+  for (const TriangleId t : triangles) {
+    if (links_.isGone(t)) continue;
     for (int k = 0; k < 3; ++k) {
       const VertexId a = mesh_.triangles[t][k], b = mesh_.triangles[t][(k + 1) % 3];
       if (a < b) push(a, b, t, links_.neighbour(t, k));
     }
-  constexpr std::size_t kBetweenChecks = 256;
-  for (std::size_t i = 0; !heap_.empty(); ++i) {
-    if (i % kBetweenChecks == 0) context.throwIfCancelled();
-    std::pop_heap(heap_.begin(), heap_.end());
-    const Candidate next = heap_.back();
-    heap_.pop_back();
-    if (isCurrent(next)) tryEdge(next.a, next.b);
   }
-}
-
-bool Collapse::isCurrent(const Candidate& c) const {
-  return age_[c.a] == c.ageOfA && age_[c.b] == c.ageOfB;
+  constexpr std::size_t kBetweenChecks = 256;
+  for (std::size_t i = 0;; ++i) {
+    if (i % kBetweenChecks == 0) context.throwIfCancelled();
+    const std::optional<EdgeQueue::Entry> next = queue_.pop();
+    if (!next) return;
+    if (age_[next->a] == next->ageOfA && age_[next->b] == next->ageOfB) tryEdge(next->a, next->b);
+  }
 }
 
 // Of two ends that both may go, either may: S and the ends of creases stay, and others stay on their crease.
@@ -109,7 +111,7 @@ double Collapse::costOf(double quadric, double length2) const {
 }
 
 void Collapse::push(VertexId a, VertexId b, TriangleId left, TriangleId right) {
-  if (!targets_.isDense[left] && !targets_.isDense[right]) return;
+  if (block_[a] != block_[b] || (!targets_.isDense[left] && !targets_.isDense[right])) return;
   const bool alongCrease = region_[left] != region_[right];
   const bool aMay = isRemovable(a, alongCrease), bMay = isRemovable(b, alongCrease);
   if (!aMay && !bMay) return;
@@ -125,8 +127,7 @@ void Collapse::push(VertexId a, VertexId b, TriangleId left, TriangleId right) {
   const double far = kHopeless * limits_.error;
   if (least > far * far * q.weight) return;
   const VertexId low = std::min(a, b), high = std::max(a, b);
-  heap_.push_back({costOf(least, (pa - pb).squaredNorm()), low, high, age_[low], age_[high]});
-  std::push_heap(heap_.begin(), heap_.end());
+  queue_.push(costOf(least, (pa - pb).squaredNorm()), {low, high, age_[low], age_[high]});
 }
 
 void Collapse::pushAround(VertexId v) {
@@ -218,18 +219,17 @@ bool Collapse::areWellShaped() const {
 bool Collapse::coverTargets() {
   moves_.clear();
   farthest_ = 0;
-  static thread_local std::vector<PreparedTriangle> prepared;
-  prepared.clear();
-  for (const Changed& c : changed_) prepared.emplace_back(cornersOf(c.corners), c.corners);
+  prepared_.clear();
+  for (const Changed& c : changed_) prepared_.emplace_back(cornersOf(c.corners), c.corners);
   const auto cover = [&](TriangleId t, std::size_t guess) {
     for (std::uint32_t i = targets_.first[t]; i != ShellTargets::kEnd; i = targets_.targets[i].next) {
       const double most2 = double(targets_.targets[i].most) * targets_.targets[i].most;
       double least = kInfinite;
       std::size_t at = 0;
-      for (std::size_t k = 0; k < prepared.size(); ++k) {
-        const std::size_t j = guess + k < prepared.size() ? guess + k : guess + k - prepared.size();
+      for (std::size_t k = 0; k < prepared_.size(); ++k) {
+        const std::size_t j = guess + k < prepared_.size() ? guess + k : guess + k - prepared_.size();
         const TriangleClosest c =
-            closestOnTriangle(targets_.targets[i].at, prepared[j], std::min(least, most2));
+            closestOnTriangle(targets_.targets[i].at, prepared_[j], std::min(least, most2));
         if (c.squaredDistance >= least) continue;
         least = c.squaredDistance;
         at = j;
@@ -271,13 +271,12 @@ bool Collapse::followDefinition(VertexId keep, bool isNew) {
 }
 
 // Exact: no two of the new triangles meet, nor one of them another.
-bool Collapse::areClear() const {
-  static thread_local std::vector<Bounds> box;
-  box.clear();
+bool Collapse::areClear() {
+  bounds_.clear();
   Bounds all;
   for (const Changed& c : changed_) {
-    box.push_back(boundsOf(cornersOf(c.corners)));
-    all.add(box.back());
+    bounds_.push_back(boundsOf(cornersOf(c.corners)));
+    all.add(bounds_.back());
   }
   for (std::size_t i = 0; i < changed_.size(); ++i)
     for (std::size_t j = i + 1; j < changed_.size(); ++j)
@@ -287,7 +286,7 @@ bool Collapse::areClear() const {
     if (std::ranges::any_of(changed_, [t](const Changed& c) { return c.id == t; })) continue;
     const Bounds own = boundsOf(cornersOf(mesh_.triangles[t]));
     for (std::size_t i = 0; i < changed_.size(); ++i)
-      if (box[i].overlaps(own) && exact::meet(mesh_.positions, changed_[i].corners, mesh_.triangles[t]))
+      if (bounds_[i].overlaps(own) && exact::meet(mesh_.positions, changed_[i].corners, mesh_.triangles[t]))
         return false;
   }
   return true;

@@ -9,7 +9,10 @@
 #include <span>
 #include <vector>
 
+#include "bvh/triangle_distance.h"
 #include "exact/box_tree.h"
+#include "mesh/bounds.h"
+#include "simplify/edge_queue.h"
 #include "simplify/linked_mesh.h"
 #include "simplify/shell_targets.h"
 #include "thicken/closest_point.h"
@@ -47,12 +50,6 @@ class Collapse {
   [[nodiscard]] double largestDeviation() const { return largest_; }  ///< mm, from a target
 
  private:
-  struct Candidate {
-    double cost = 0;
-    VertexId a = 0, b = 0;
-    std::uint32_t ageOfA = 0, ageOfB = 0;
-    [[nodiscard]] bool operator<(const Candidate& other) const;
-  };
   struct Changed {
     TriangleId id = 0;
     Triangle corners{};  // after the collapse
@@ -61,17 +58,17 @@ class Collapse {
   };
 
   void countCreases();
+  void collapseAmong(std::span<const TriangleId> triangles, const RunContext& context);
   void pushAround(VertexId v);
   void push(VertexId a, VertexId b, TriangleId left, TriangleId right);
   [[nodiscard]] bool isRemovable(VertexId v, bool alongCrease) const;
-  [[nodiscard]] bool isCurrent(const Candidate& c) const;
   bool tryEdge(VertexId a, VertexId b);
   bool tryAt(VertexId keep, VertexId go, const Vec3& place, bool isNew);
   void gatherChanged(VertexId a, VertexId b);
   [[nodiscard]] bool areWellShaped() const;
   [[nodiscard]] bool coverTargets();
   [[nodiscard]] bool followDefinition(VertexId keep, bool isNew);
-  [[nodiscard]] bool areClear() const;
+  [[nodiscard]] bool areClear();
   [[nodiscard]] bool areProved() const;
   void apply(VertexId keep, VertexId go);
 
@@ -92,7 +89,8 @@ class Collapse {
   exact::BoxTree boxes_;
   std::vector<std::uint8_t> creases_;  // per vertex: edges between two regions, up to 3
   std::vector<std::uint32_t> age_;     // per vertex: changes
-  std::vector<Candidate> heap_;
+  std::vector<std::uint32_t> block_;   // per vertex: edges within one are collapsed
+  EdgeQueue queue_;
   double largest_ = 0;
   // Of the collapse that is tried:
   std::array<VertexId, 2> edge_{};
@@ -106,6 +104,8 @@ class Collapse {
     std::uint32_t target, to;
   };
   std::vector<Move> moves_;
+  std::vector<PreparedTriangle> prepared_;  // changed_, and their bounds
+  std::vector<Bounds> bounds_;
   double farthest_ = 0;
 };
 

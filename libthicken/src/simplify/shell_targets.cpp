@@ -23,14 +23,6 @@ Corners cornersOf(const TriangleMesh& mesh, TriangleId t) {
   return {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
 }
 
-Place ownTarget(const Vec3& p, const Vec3& normal) {
-  Place place;
-  place.target = p;
-  place.normal = normal;
-  place.isLoose = true;
-  return place;
-}
-
 // The middles of the n² triangles that a triangle is divided into.
 template <class Visit>
 void forMiddles(const Corners& t, int n, Visit visit) {
@@ -64,6 +56,41 @@ int divisionsOf(const Corners& t, double r) {
   return static_cast<int>(std::clamp(std::ceil(longestEdge(t) / (kSide * r)), 1.0, double{kMost}));
 }
 
+// What the definition says of the middle of a triangle.
+Place middleOf(const Corners& c, Region region, const ShellDefinition& definition) {
+  const Vec3 p = (c[0] + c[1] + c[2]) / 3;
+  Place place;
+  if (region == Region::kWall) {
+    place.target = p;
+    place.isLoose = place.isWall = true;
+  } else {
+    place = definition.at(p);
+  }
+  if (place.isLoose) place.normal = (c[1] - c[0]).cross(c[2] - c[0]).stableNormalized();
+  return place;
+}
+
+// How far from a target triangles may be, mm.
+double reachOf(const Place& place, double error) {
+  // A wall may lean (Remark 4), and its edges are as rough as the cells that it was made in. Chosen: with
+  // the shell's own reach the rim of a contour keeps most of its triangles.
+  constexpr double kWall = 3;
+  return place.isWall ? kWall * error : error;
+}
+
+void addTargets(ShellTargets& made, TriangleId t, const Corners& c, const Place& middle,
+                const ShellDefinition& definition, double r, double error) {
+  const int n = divisionsOf(c, r);
+  if (n == 1) {
+    if (!middle.isFree) made.add(t, middle.target, reachOf(middle, error));
+    return;
+  }
+  forMiddles(c, n, [&](const Vec3& p) {
+    const Place place = middle.isLoose ? middle : definition.at(p);
+    if (!place.isFree) made.add(t, place.isLoose ? p : place.target, reachOf(place, error));
+  });
+}
+
 }  // namespace
 
 ShellDefinition::ShellDefinition(const TriangleMesh& surface, const ClosestPointTree& tree, double r,
@@ -79,7 +106,8 @@ ShellDefinition::ShellDefinition(const TriangleMesh& surface, const ClosestPoint
 
 Place ShellDefinition::at(const Vec3& p) const {
   const ClosestPoint c = *tree_.closest(p);
-  Place place = ownTarget(p, Vec3::Zero());
+  Place place;
+  place.target = p;
   place.area = areaOf(surface_.positions, surface_.triangles[c.triangle]);
   const OffsetError::Error error = error_.at(p, c);
   place.error = error.mm;
@@ -99,7 +127,6 @@ std::size_t samplesOn(const Corners& corner, double r) {
 ShellTargets shellTargets(const TriangleMesh& solid, std::span<const Region> region,
                           const ShellDefinition& definition, double r, double error, bool copies,
                           const Vec3& center, const RunContext& context, int threads) {
-  constexpr double kWall = 3;     // a wall may lean, and is as wide as the rim's triangles let it be
   constexpr double kDense = 0.5;  // of the area of the triangle of S
   const std::size_t count = solid.triangles.size();
   std::vector<Place> middle(count);
@@ -111,14 +138,7 @@ ShellTargets shellTargets(const TriangleMesh& solid, std::span<const Region> reg
   parallelFor(count, threads, context, 256, [&](std::size_t i) {
     if (region[i] == Region::kOriginal) return;
     const auto t = static_cast<TriangleId>(i);
-    const Corners c = cornersOf(solid, t);
-    const Vec3 p = (c[0] + c[1] + c[2]) / 3;
-    if (region[t] == Region::kShell) middle[t] = definition.at(p);
-    if (region[t] == Region::kWall) {
-      middle[t] = ownTarget(p, Vec3::Zero());
-      middle[t].isWall = true;
-    }
-    if (middle[t].isLoose) middle[t].normal = (c[1] - c[0]).cross(c[2] - c[0]).stableNormalized();
+    middle[t] = middleOf(cornersOf(solid, t), region[t], definition);
     made.isLoose[t] = middle[t].isLoose;
     made.isDense[t] = copies || region[t] == Region::kWall ||
                       areaOf(solid.positions, solid.triangles[t]) < kDense * middle[t].area;
@@ -127,25 +147,16 @@ ShellTargets shellTargets(const TriangleMesh& solid, std::span<const Region> reg
   std::vector<std::uint8_t> hasTarget(solid.positions.size(), 0);
   for (TriangleId t = 0; t < count; ++t) {
     if (!beside[t] || region[t] == Region::kOriginal) continue;
-    const Corners c = cornersOf(solid, t);
-    const double area = areaOf(solid.positions, solid.triangles[t]);
+    if (t % 1024 == 0) context.throwIfCancelled();
     if (!middle[t].isFree)
       for (const VertexId v : solid.triangles[t])
-        made.quadric[v].add(middle[t].normal, middle[t].target - center, area);
-    const auto add = [&](const Vec3& at, const Place& place) {
-      if (!place.isFree) made.add(t, at, place.isWall ? error * kWall : error);
-    };
-    if (const int n = divisionsOf(c, r); n == 1) {
-      add(middle[t].target, middle[t]);
-    } else {
-      forMiddles(c, n, [&](const Vec3& p) {
-        const Place place = middle[t].isLoose ? middle[t] : definition.at(p);
-        add(place.isLoose ? p : place.target, place);
-      });
-    }
+        made.quadric[v].add(middle[t].normal, middle[t].target - center,
+                            areaOf(solid.positions, solid.triangles[t]));
+    addTargets(made, t, cornersOf(solid, t), middle[t], definition, r, error);
     if (made.isLoose[t])
       for (const VertexId v : solid.triangles[t])
-        if (!std::exchange(hasTarget[v], std::uint8_t{1})) add(solid.positions[v], middle[t]);
+        if (!std::exchange(hasTarget[v], std::uint8_t{1}))
+          made.add(t, solid.positions[v], reachOf(middle[t], error));
   }
   return made;
 }

@@ -56,31 +56,36 @@ double worstAspect(const TriangleMesh& solid, std::span<const Region> region) {
   return worst;
 }
 
+// Collapses what it can of a solid. Returns the largest deviation, mm.
+double collapsed(TriangleMesh& solid, std::vector<Region>& region, const SimplifyRequest& request,
+                 const RunContext& context, int threads) {
+  LinkedMesh links(solid, threads);
+  if (!links.isClosedManifold()) return 0;
+  const double r = request.thickness, most = request.tolerance.value_or(kFollows * r);
+  const Bounds bounds = boundsOf(solid);
+  const Vec3 center = (bounds.low + bounds.high) / 2;
+  const std::size_t surfaceVertices = request.surface.positions.size();
+  const ShellDefinition definition(request.surface, request.tree, r, request.join, most, threads);
+  ShellTargets targets = shellTargets(solid, region, definition, r, kShare * most,
+                                      request.what == Simplify::kShell, center, context, threads);
+  if (std::ranges::find(targets.isDense, 1) == targets.isDense.end()) return 0;
+  Limits limits{r, kShare * most, request.side, {}};
+  if (request.tolerance) limits.proved = kProvedShare * *request.tolerance;
+  Collapse collapse(solid, links, region, surfaceVertices, definition, request.tree, targets, center, limits,
+                    threads);
+  collapse.run(context);
+  compact(solid, region, links, surfaceVertices);
+  return collapse.largestDeviation();
+}
+
 }  // namespace
 
 SimplifyFacts simplify(TriangleMesh& solid, std::vector<Region>& region, const SimplifyRequest& request,
                        const RunContext& context, int threads) {
   SimplifyFacts facts;
-  facts.before = facts.after = solid.triangles.size();
-  if (request.what != Simplify::kOff) {
-    LinkedMesh links(solid, threads);
-    if (links.isClosedManifold()) {
-      const double r = request.thickness, most = request.tolerance.value_or(kFollows * r);
-      const Bounds bounds = boundsOf(solid);
-      const Vec3 center = (bounds.low + bounds.high) / 2;
-      const ShellDefinition definition(request.surface, request.tree, r, request.join, most, threads);
-      ShellTargets targets = shellTargets(solid, region, definition, r, kShare * most,
-                                          request.what == Simplify::kShell, center, context, threads);
-      Limits limits{r, kShare * most, request.side, {}};
-      if (request.tolerance) limits.proved = kProvedShare * *request.tolerance;
-      Collapse collapse(solid, links, region, request.surface.positions.size(), definition, request.tree,
-                        targets, center, limits, threads);
-      collapse.run(context);
-      facts.deviation = collapse.largestDeviation();
-      compact(solid, region, links, request.surface.positions.size());
-    }
-    facts.after = solid.triangles.size();
-  }
+  facts.before = solid.triangles.size();
+  if (request.what != Simplify::kOff) facts.deviation = collapsed(solid, region, request, context, threads);
+  facts.after = solid.triangles.size();
   facts.worstAspect = worstAspect(solid, region);
   return facts;
 }
