@@ -223,6 +223,21 @@ Solid provedOf(std::optional<Solid> better, std::optional<Solid> swept, const Si
   return std::move(*swept);
 }
 
+// Merges triangles of a solid into fewer where there is memory for that.
+void simplifySolid(Solid& solid, const TriangleMesh& oriented, const ClosestPointTree& tree,
+                   const Options& options, const RunContext& context, int threads) {
+  SimplifyRequest request{
+      oriented, tree, options.thickness, options.side, joinOf(options), options.tolerance, options.simplify};
+  const std::size_t needed = heldBytes(oriented) + bytesToSimplify(solid.mesh.triangles.size());
+  if (request.what != Simplify::kOff && context.memoryLimit() != 0 && needed > context.memoryLimit()) {
+    request.what = Simplify::kOff;
+    solid.report.warnings.push_back(fmt::format(
+        "the solid has more triangles than it needs: merging them takes {} MiB, more than the memory limit",
+        (needed >> 20) + 1));
+  }
+  solid.report.simplify = simplify(solid.mesh, solid.region, request, context, threads);
+}
+
 // A solid of a valid surface, proved and measured.
 Solid provedSolid(const TriangleMesh& surface, const TriangleMesh& oriented, const ClosestPointTree& tree,
                   const SurfaceFacts& input, const Options& options, RunContext context, int threads,
@@ -246,11 +261,9 @@ Solid provedSolid(const TriangleMesh& surface, const TriangleMesh& oriented, con
     swept = sweptSolid(std::move(made), input, options, threads);
   }
 
-  const SimplifyRequest request{
-      oriented, tree, options.thickness, options.side, joinOf(options), options.tolerance, options.simplify};
   const auto simplified = [&](Solid& solid) {
     context.enter(Stage::kShaping, kSwept, kSimplified);
-    solid.report.simplify = simplify(solid.mesh, solid.region, request, context, threads);
+    simplifySolid(solid, oriented, tree, options, context, threads);
     watch.lap("simplify");
     context.enter(Stage::kAuditing, kSimplified, kAudited);
   };
