@@ -11,6 +11,7 @@
 #include "check/audit.h"
 #include "mesh/float_lattice.h"
 #include "plain_shapes.h"
+#include "simplify/collapse.h"
 #include "simplify/edge_queue.h"
 #include "simplify/linked_mesh.h"
 #include "simplify/quadric.h"

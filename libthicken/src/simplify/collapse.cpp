@@ -242,9 +242,11 @@ bool Collapse::coverTargets() {
     }
     return true;
   };
+  // What lost its triangle is the most likely to be left alone.
+  if (!cover(gone_[0], 0) || !cover(gone_[1], 0)) return false;
   for (std::size_t j = 0; j < changed_.size(); ++j)
     if (!cover(changed_[j].id, j)) return false;
-  return cover(gone_[0], 0) && cover(gone_[1], 0);
+  return true;
 }
 
 // The error at the new vertex and on the new triangles. Where what was there follows no definition, it is
@@ -257,9 +259,9 @@ bool Collapse::followDefinition(VertexId keep, bool isNew) {
   for (Changed& c : changed_) {
     c.isLoose = true;
     if (region_[c.id] == Region::kWall) continue;
-    c.isLoose = false;
     const std::array<Vec3, 3> corner = cornersOf(c.corners);
     const std::size_t samples = samplesOn(corner, limits_.r);
+    c.isLoose = samples == 0 && anyLoose_;
     for (std::size_t k = 0; k < samples && !c.isLoose; ++k) {
       const auto& w = kShellSamples[k];
       const auto place = definition_.at(w[0] * corner[0] + w[1] * corner[1] + w[2] * corner[2]);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "measure/measure.h"
+#include "measure/shell_samples.h"
 #include "mesh/normals.h"
 #include "parallel_for.h"
 
@@ -121,7 +122,9 @@ Place ShellDefinition::at(const Vec3& p) const {
 }
 
 std::size_t samplesOn(const Corners& corner, double r) {
-  return longestEdge(corner) > r / 2 ? 4 : 1;
+  // A chord of a fifth across a round join is off by half a percent of r.
+  const double longest = longestEdge(corner);
+  return longest > r / 2 ? kMostShellSamples : longest > r / 5 ? 1 : 0;
 }
 
 ShellTargets shellTargets(const TriangleMesh& solid, std::span<const Region> region,

@@ -49,7 +49,8 @@ class ShellDefinition {
   Join join_;
 };
 
-/// Points where the error of a triangle is looked at: more on a large one.
+/// Points where the error of a triangle is looked at, of kShellSamples: more on a large one, none on one that
+/// its corners tell all about.
 [[nodiscard]] std::size_t samplesOn(const std::array<Vec3, 3>& corner, double r);
 
 struct ShellTargets {
