@@ -165,11 +165,13 @@ void Collapse::gatherChanged(VertexId a, VertexId b) {
   facing_ = {Vec3::Zero(), Vec3::Zero()};
   oldAspect_ = 0;
   anyLoose_ = false;
+  allLoose_ = true;
   const auto take = [&](TriangleId t, bool isIn) {
     const auto [p, q, s] = cornersOf(mesh_.triangles[t]);
     const Vec3 normal = (q - p).cross(s - p);
     oldAspect_ = std::max(oldAspect_, aspectOf(p, q, s));
     anyLoose_ |= targets_.isLoose[t] != 0;
+    allLoose_ &= targets_.isLoose[t] != 0;  // walls always are
     facing_[region_[t] == Region::kWall] += normal;
     if (isIn) changed_.push_back({t, mesh_.triangles[t], normal, false});
   };
@@ -249,8 +251,8 @@ bool Collapse::coverTargets() {
   return true;
 }
 
-// The error at the new vertex and on the new triangles. Where what was there follows no definition, it is
-// held by its targets alone.
+// The error at the new vertex and on the new triangles. Only where none of what was there follows the
+// definition, and beside walls, is what comes held by targets alone.
 bool Collapse::followDefinition(VertexId keep, bool isNew) {
   if (isNew) {
     const auto place = definition_.at(mesh_.positions[keep]);
@@ -261,13 +263,14 @@ bool Collapse::followDefinition(VertexId keep, bool isNew) {
     if (region_[c.id] == Region::kWall) continue;
     const std::array<Vec3, 3> corner = cornersOf(c.corners);
     const std::size_t samples = samplesOn(corner, limits_.r);
-    c.isLoose = samples == 0 && anyLoose_;
-    for (std::size_t k = 0; k < samples && !c.isLoose; ++k) {
+    c.isLoose = samples == 0 && allLoose_;
+    for (std::size_t k = 0; k < samples; ++k) {
       const auto& w = kShellSamples[k];
       const auto place = definition_.at(w[0] * corner[0] + w[1] * corner[1] + w[2] * corner[2]);
-      c.isLoose = place.isLoose || std::abs(place.error) > limits_.error;
+      const bool isOff = !place.isWall && (place.isLoose || std::abs(place.error) > limits_.error);
+      if (place.isWall ? !anyLoose_ : isOff && !allLoose_) return false;
+      c.isLoose |= place.isWall || isOff;
     }
-    if (c.isLoose && !anyLoose_) return false;
   }
   return true;
 }

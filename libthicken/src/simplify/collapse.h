@@ -99,7 +99,7 @@ class Collapse {
   std::vector<Changed> changed_;
   std::array<Vec3, 2> facing_;  // sum of the normals of the shell's triangles, and of the wall's
   double oldAspect_ = 0;
-  bool anyLoose_ = false;
+  bool anyLoose_ = false, allLoose_ = false;
   struct Move {
     std::uint32_t target, to;
   };
