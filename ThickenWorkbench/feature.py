@@ -73,6 +73,7 @@ def make_thicken(
     tolerance: Any = None,
     smooth: int | None = None,
     join: str = "automatic",
+    simplify: str = "auto",
     repair: bool = False,
     faces: Sequence[Any] = (),
     facets: Iterable[int] = (),
@@ -101,7 +102,7 @@ def make_thicken(
     choice = (list(faces), [int(facet) for facet in facets], deflection)
     _require_sense(sources, choice, output)
     inputs = dict(
-        side=side, method=method, join=join, repair=repair, smooth=smooth, quality=quality,
+        side=side, method=method, join=join, repair=repair, smooth=smooth, simplify=simplify, quality=quality,
         cell=cell, resolution=resolution, tolerance=tolerance,
     )
     made = []

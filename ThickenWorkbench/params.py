@@ -24,6 +24,7 @@ _OUTPUT = 8  # changing it does not touch the document
 # The first choice is the one a new feature has. Lower-case, they are the library's own words.
 SIDES = ["Negative", "Positive", "Both"]
 METHODS = ["Auto", "Sweep", "Reconstruct"]
+SIMPLIFY = ["Auto", "Off", "Shell"]
 
 # What the shell is like outside of convex edges, as FreeCAD's own Thickness calls it, and the library's word.
 JOIN_WORD = {"Automatic": None, "Intersection": "mitre", "Arc": "round"}
@@ -74,6 +75,7 @@ INPUTS = [
     _input("Resolution", "Integer", "Quality", "Cells along the longest side of the bounding box", 128),
     _input("Tolerance", "Length", "Quality", "The farthest that the inner shell may be from its definition", 0.05),
     _input("Smooth", "Integer", "Quality", "Rounds of smoothing of the inner shell; -1: as many as it takes", -1),
+    _input("Simplify", "Enumeration", "Quality", "Which of the new triangles are merged into fewer", SIMPLIFY),
     _input("Deflection", "Length", "Quality", "The farthest that the triangles of a shape may be from it",
            DEFAULT_DEFLECTION),
 ]
@@ -140,7 +142,8 @@ def show_quality(obj: Any) -> None:
 
 
 def set_inputs(
-    obj: Any, *, side: str, method: str, join: str, repair: bool, smooth: int | None, quality: str, **numbers: Any
+    obj: Any, *, side: str, method: str, join: str, repair: bool, smooth: int | None, simplify: str, quality: str,
+    **numbers: Any,
 ) -> None:
     """Set what make_thicken() takes of numbers; of `numbers` (cell, resolution, tolerance) at most one is not None."""
     given = {name.capitalize(): value for name, value in numbers.items() if value is not None}
@@ -153,6 +156,7 @@ def set_inputs(
     obj.Method = _choice("method", method, METHODS)
     obj.Join = _choice("join", join, JOINS)
     obj.Repair = bool(repair)
+    obj.Simplify = _choice("simplify", simplify, SIMPLIFY)
     if smooth is not None:
         if not 0 <= smooth <= 100:
             raise ValueError(f"smooth must be 0 to 100 rounds, not {smooth}")
@@ -181,6 +185,8 @@ def arguments(obj: Any) -> dict[str, Any]:
     if obj.Smooth >= 0:
         result["smooth"] = obj.Smooth
     result |= join_arguments(obj.Join)
+    if obj.Simplify != SIMPLIFY[0]:
+        result["simplify"] = obj.Simplify.lower()
     chosen = QUALITY_NUMBER[obj.Quality]
     number = getattr(obj, chosen) if chosen is not None else None
     return {**result, **quality_arguments(obj.Quality, getattr(number, "Value", number), obj.Thickness.Value)}

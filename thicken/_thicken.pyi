@@ -47,6 +47,7 @@ def thicken(
     fill_holes: float | None = None,
     strict: bool = False,
     join: str | None = None,
+    simplify: str = "auto",
     threads: int = 0,
     context: RunContext | None = None,
 ) -> dict[str, Any]: ...

@@ -106,6 +106,7 @@ def thicken_mesh(
     fill_holes: float | None = None,
     strict: bool = False,
     join: Literal["mitre", "round"] | None = None,
+    simplify: Literal["off", "auto", "shell"] = "auto",
     threads: int = 0,
     memory: float | None = None,
     precision: Literal["single", "double"] = "single",
@@ -119,6 +120,8 @@ def thicken_mesh(
     `join`: what the shell is like outside of convex edges and corners: "mitre", planes up to twice the thickness
     away (the default), or "round" (the default with `tolerance` and for "reconstruct").
     `weld`, `bridge` and `fill_holes`: with `repair`, as in repair_mesh(); `strict` refuses a solid that lost much by it.
+    `simplify`: triangles to merge into fewer within the tolerance: "off", "auto", those of walls and of a shell that is
+    denser than the surface, or "shell", all but the surface's own.
     `memory` is a limit in MiB. `context` polls and cancels the run from another thread; Ctrl-C
     ends it as well. Other Python threads run meanwhile.
 
@@ -148,6 +151,7 @@ def thicken_mesh(
         fill_holes=fill_holes,
         strict=strict,
         join=join,
+        simplify=simplify,
         threads=threads,
         context=context,
     )

@@ -19,6 +19,8 @@ namespace {
 constexpr std::array kSides{std::pair{"negative", Side::kNegative}, std::pair{"positive", Side::kPositive},
                             std::pair{"both", Side::kBoth}};
 constexpr std::array kJoins{std::pair{"mitre", Join::kMitre}, std::pair{"round", Join::kRound}};
+constexpr std::array kSimplify{std::pair{"off", Simplify::kOff}, std::pair{"auto", Simplify::kAuto},
+                               std::pair{"shell", Simplify::kShell}};
 constexpr std::array kMethods{std::pair{"auto", Method::kAuto}, std::pair{"sweep", Method::kSweep},
                               std::pair{"reconstruct", Method::kReconstruct}};
 constexpr std::array kPrecisions{std::pair{"single", Precision::kSingle},
@@ -50,7 +52,7 @@ py::dict thickenArrays(const py::object& vertices, const py::object& triangles, 
                        std::optional<double> tolerance, std::optional<int> smooth, bool repair,
                        std::optional<double> weldDistance, std::optional<double> bridge,
                        std::optional<double> fillHoles, bool strict, const std::optional<std::string>& join,
-                       int threads, const std::optional<RunContext>& context) {
+                       const std::string& simplify, int threads, const std::optional<RunContext>& context) {
   if (!std::isfinite(thickness) || thickness <= 0)
     throw py::value_error("thickness must be a finite length above 0 mm");
   Options options;
@@ -62,6 +64,7 @@ py::dict thickenArrays(const py::object& vertices, const py::object& triangles, 
   options.resolution = resolution;
   options.tolerance = tolerance;
   if (join) options.join = chosen(kJoins, "join", *join);
+  options.simplify = chosen(kSimplify, "simplify", simplify);
   options.smooth = smooth;
   options.repair = repair;
   options.weld = weldDistance;
@@ -124,7 +127,8 @@ void bindThicken(py::module_& module) {
              arg("cell") = py::none(), arg("resolution") = py::none(), arg("tolerance") = py::none(),
              arg("smooth") = py::none(), arg("repair") = false, arg("weld") = py::none(),
              arg("bridge") = py::none(), arg("fill_holes") = py::none(), arg("strict") = false,
-             arg("join") = py::none(), arg("threads") = 0, arg("context") = py::none(),
+             arg("join") = py::none(), arg("simplify") = "auto", arg("threads") = 0,
+             arg("context") = py::none(),
              "Thicken a surface; returns a dict of vertices, triangles, region, depth and report.");
   module.def("forecast", &forecastOf, arg("triangles"), arg("area"), arg("thickness"), py::kw_only(),
              arg("diagonal") = 0.0, arg("side") = "negative", arg("method") = "auto",

@@ -37,4 +37,16 @@ std::string_view name(Join join) noexcept {
   return "unknown";
 }
 
+std::string_view name(Simplify simplify) noexcept {
+  switch (simplify) {
+    case Simplify::kOff:
+      return "off";
+    case Simplify::kAuto:
+      return "auto";
+    case Simplify::kShell:
+      return "shell";
+  }
+  return "unknown";
+}
+
 }  // namespace thicken

@@ -107,6 +107,13 @@ Json thinPlace(double mm, const Vec3& place, double thickness) {
           {"place_mm", toPlace(place)}};
 }
 
+Json simplifyFacts(const SimplifyFacts& facts) {
+  return {{"triangles_before", facts.before},
+          {"triangles_after", facts.after},
+          {"deviation_mm", facts.deviation},
+          {"worst_aspect", facts.worstAspect}};
+}
+
 Json verdicts(const AuditFacts& audit) {
   return {{"passed", audit.passed()},
           {"closed", audit.closed},
@@ -205,6 +212,7 @@ Json reportOf(const Report& report, const FileFacts& files) {
   json["thinnest_wall"] = thinPlace(report.thinnestWall, report.thinnestPlace, report.thickness);
   json["thinnest_through"] = thinPlace(report.thinnestThrough, report.thinnestThroughPlace, report.thickness);
   json["thin_share"] = report.thinShare;
+  json["simplify"] = simplifyFacts(report.simplify);
   json["audit"] = verdicts(report.audit);
   json["fallbacks"] = fallbackFacts(report.fallbacks);
   json["warnings"] = report.warnings;

@@ -22,6 +22,7 @@
 #include "reconstruct/shell_plan.h"
 #include "repair/folds.h"
 #include "repair/outcome.h"
+#include "simplify/simplify.h"
 #include "sweep/sweep.h"
 
 namespace thicken {
@@ -29,7 +30,8 @@ namespace thicken {
 namespace {
 
 // Shares of the progress at which stages end.
-constexpr double kChecked = 0.12, kSwept = 0.4, kShaped = 0.8, kAudited = 0.92, kMeasured = 0.96;
+constexpr double kChecked = 0.12, kSwept = 0.4, kShaped = 0.7, kSimplified = 0.82, kAudited = 0.92,
+                 kMeasured = 0.96;
 
 TriangleMesh stored(const TriangleMesh& surface, Precision precision, int threads) {
   if (precision == Precision::kDouble) return weld(surface, threads);
@@ -268,11 +270,13 @@ Made madeBy(const TriangleMesh& oriented, const ClosestPointTree& tree, const Su
   return made;
 }
 
-// Proves the better of the two, or the sweep where the other fails.
-Solid provedOf(Made& made, const TriangleMesh& surface, const TriangleMesh& oriented,
-               const ClosestPointTree& tree, const SurfaceFacts& input, const Options& options,
-               const RunContext& context, int threads) {
+// Simplifies and proves the better of the two, or the sweep where the other fails.
+template <class Simplified>
+Solid provedOf(Made& made, const Simplified& simplified, const TriangleMesh& surface,
+               const TriangleMesh& oriented, const ClosestPointTree& tree, const SurfaceFacts& input,
+               const Options& options, const RunContext& context, int threads) {
   if (made.better) try {
+      simplified(*made.better);
       proveOrThrow(*made.better, surface, options.side, context, threads);
       return *std::move(made.better);
     } catch (const Error& e) {
@@ -282,8 +286,28 @@ Solid provedOf(Made& made, const TriangleMesh& surface, const TriangleMesh& orie
   if (!made.swept)
     takeSweep(made, sweep(oriented, tree, options.thickness, Side::kNegative, context, threads), input,
               options, threads);
-  proveOrThrow(*made.swept, surface, options.side, context, threads, made.sweptOrder);
+  simplified(*made.swept);
+  proveOrThrow(*made.swept, surface, options.side, context, threads,
+               made.swept->report.simplify.after == made.swept->report.simplify.before
+                   ? std::span<const TriangleId>(made.sweptOrder)
+                   : std::span<const TriangleId>());
   return *std::move(made.swept);
+}
+
+// Merges triangles of a solid into fewer where there is memory for that.
+void simplifySolid(Solid& solid, const TriangleMesh& oriented, const ClosestPointTree& tree,
+                   const Options& options, const RunContext& context, int threads) {
+  SimplifyRequest request{
+      oriented, tree, options.thickness, options.side, joinOf(options), options.tolerance, options.simplify};
+  const std::size_t needed = heldBytes(oriented) + bytesToSimplify(solid.mesh.triangles.size());
+  if (request.what != Simplify::kOff && context.memoryLimit() != 0 && needed > context.memoryLimit()) {
+    request.what = Simplify::kOff;
+    solid.report.warnings.push_back(
+        fmt::format("the solid has more triangles than it needs: merging them takes {} MiB, more than "
+                    "the memory limit",
+                    (needed >> 20) + 1));
+  }
+  solid.report.simplify = simplify(solid.mesh, solid.region, request, context, threads);
 }
 
 // A solid of a valid surface, proved and measured.
@@ -295,13 +319,22 @@ Solid provedSolid(const TriangleMesh& surface, const TriangleMesh& oriented, con
                 options.method == Method::kReconstruct ? work.contour : work.sweep);
   Made made = madeBy(oriented, tree, input, options, work, context, threads, watch);
 
-  context.enter(Stage::kAuditing, kShaped, kAudited, work.audit);
-  Solid solid = provedOf(made, surface, oriented, tree, input, options, context, threads);
+  const auto simplified = [&](Solid& solid) {
+    // A block of the simplifier's loops is some hundred triangles.
+    context.enter(Stage::kShaping, kShaped, kSimplified,
+                  static_cast<double>(solid.mesh.triangles.size()) / 100);
+    simplifySolid(solid, oriented, tree, options, context, threads);
+    watch.lap("simplify");
+    context.enter(Stage::kAuditing, kSimplified, kAudited, work.audit);
+  };
+  Solid solid = provedOf(made, simplified, surface, oriented, tree, input, options, context, threads);
   solid.report.fallbacks.insert(solid.report.fallbacks.end(), made.fallbacks.begin(), made.fallbacks.end());
   watch.lap("audit");
 
   context.enter(Stage::kMeasuring, kAudited, options.tolerance ? kMeasured : 1, work.measure);
-  if (solid.report.method != Method::kSweep) made.sweptShell = {};  // another mesh than the sweep's
+  const SimplifyFacts& fewer = solid.report.simplify;
+  if (solid.report.method != Method::kSweep || fewer.after != fewer.before)
+    made.sweptShell = {};  // another mesh than the sweep's
   measure(solid, oriented, tree, std::move(made.sweptShell),
           options.tolerance ? Measure::kAll : Measure::kRepresentative, context, threads);
   watch.lap("measure");

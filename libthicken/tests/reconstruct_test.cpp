@@ -27,6 +27,7 @@ Options by(double thickness, double cell, int threads = 1) {
   o.method = Method::kReconstruct;
   o.thickness = thickness;
   o.cell = cell;
+  o.simplify = Simplify::kOff;  // the contour as it is made
   o.threads = threads;
   return o;
 }

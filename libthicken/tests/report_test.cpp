@@ -51,6 +51,7 @@ Report sampleReport() {
   report.thinnestWall = 1.5;
   report.thinnestPlace = Vec3(1, 2, 3);
   report.thinShare = 0.125;
+  report.simplify = {100, 30, 0.002, 12};
   report.audit.closed = true;
   report.fallbacks = {{"contour", "triangles meet", {1, 2, 3}, 0.5}};
   report.warnings = {"the solid is thin"};
@@ -125,6 +126,10 @@ TEST(Report, HoldsTheFactsUnderTheirNames) {
   EXPECT_EQ(report["thinnest_wall"]["place_mm"], json({1, 2, 3}));
   EXPECT_EQ(report["thinnest_through"]["share_of_thickness"], 0.25);
   EXPECT_EQ(report["thin_share"], 0.125);
+  EXPECT_EQ(report["simplify"]["triangles_before"], 100);
+  EXPECT_EQ(report["simplify"]["triangles_after"], 30);
+  EXPECT_EQ(report["simplify"]["deviation_mm"], 0.002);
+  EXPECT_EQ(report["simplify"]["worst_aspect"], 12);
   EXPECT_EQ(report["audit"]["closed"], true);
   EXPECT_EQ(report["audit"]["passed"], false) << "only one of the clauses was set";
   EXPECT_EQ(report["warnings"], json({"the solid is thin"}));

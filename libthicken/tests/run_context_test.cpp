@@ -168,7 +168,7 @@ TEST(RunContext, ThrowsOnceCancelled) {
 TEST(RunContext, ThrowsOnceTheTimeIsOverAndEstimatesWhatIsEnough) {
   RunContext context;
   context.setTimeLimit(1e-9);
-  context.enter(Stage::kSweeping, 0.25, 1);
+  context.enter(Stage::kSweeping, 0.25, 1, 1);
   EXPECT_FALSE(context.cancelled()) << "nobody has asked the run to stop";
   try {
     context.throwIfCancelled();

@@ -144,7 +144,9 @@ TEST(ThickenSlow, GivesTheKnownVolumeOnBothSides) {
 
 TEST(Thicken, CountsRegionsAndKeepsTheOrderOfS) {
   const TriangleMesh s = weld(plane(10, 10));
-  const Solid solid = thicken(s, by(1));
+  Options options = by(1);
+  options.simplify = Simplify::kOff;
+  const Solid solid = thicken(s, options);
   EXPECT_EQ(solid.report.originalTriangles, s.triangles.size());
   EXPECT_EQ(solid.report.shellTriangles, s.triangles.size());
   EXPECT_EQ(solid.report.wallTriangles, 2u * 40u);

@@ -100,14 +100,14 @@ class Shapes(DocumentCase):
 
     def test_saved_choice_is_kept(self):
         box = self.add_shape(Part.makeBox(10, 10, 10), "Box")
-        ThickenWorkbench.make_thicken(self.doc, box, 1, faces=["Face6"], deflection=0.3, smooth=2)
+        ThickenWorkbench.make_thicken(self.doc, box, 1, faces=["Face6"], deflection=0.3, smooth=2, simplify="off")
         path = self.folder / "part.FCStd"
         self.doc.saveAs(str(path))
         App.closeDocument(self.doc.Name)
         self.doc = App.openDocument(str(path))
         feature = self.doc.getObject("Thicken")
         self.assertEqual(feature.SourceFaces, (self.doc.getObject("Box"), ["Face6"]))
-        self.assertEqual((feature.Deflection.Value, feature.Smooth), (0.3, 2))
+        self.assertEqual((feature.Deflection.Value, feature.Smooth, feature.Simplify), (0.3, 2, "Off"))
         feature.touch()
         self.doc.recompute()
         self.assert_solid(feature)
@@ -199,7 +199,7 @@ class Several(DocumentCase):
 
     def test_all_or_none(self):
         sources = [self.add_source(plate()), self.add_source(saddle())]
-        for wrong in ({"side": "up"}, {"facets": [1]}, {"output": "cloud"}, {"smooth": 101}):
+        for wrong in ({"side": "up"}, {"facets": [1]}, {"output": "cloud"}, {"smooth": 101}, {"simplify": "much"}):
             with self.assertRaises(ValueError):
                 ThickenWorkbench.make_thicken(self.doc, sources, 1, **wrong)
             self.assertEqual(self.doc.Objects, sources)

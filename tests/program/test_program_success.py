@@ -68,9 +68,9 @@ class Success(ProgramCase):
     def test_a_memory_limit_is_obeyed_and_changes_no_byte(self):
         write_ply(self.folder / "in.ply", wave(20))
 
-        def run(output, *more):
+        def run(output, *more, simplify="off"):
             return self.run_program("in.ply", output, "--thickness", 1, "--method", "reconstruct", "--cell", 0.05,
-                                    "--report", "report.json", *more)  # fmt: skip
+                                    "--simplify", simplify, "--report", "report.json", *more)  # fmt: skip
 
         self.assert_ok(run("out.ply"))
         memory = self.report()["memory"]
@@ -86,6 +86,12 @@ class Success(ProgramCase):
                 self.assertLessEqual(self.report()["memory"]["peak_bytes"], limit << 20)
                 self.assertLessEqual(self.report()["memory"]["predicted_bytes"], limit << 20)
                 self.assertEqual((self.folder / "lean.ply").read_bytes(), expected)
+        # Where triangles cannot be merged within the limit, that is said, and it is the only difference.
+        self.assert_ok(run("lean.ply", "--memory", least, simplify="auto"))
+        report = self.report()
+        self.assertLessEqual(report["memory"]["peak_bytes"], least << 20)
+        self.assertTrue(any("more triangles than it needs" in sentence for sentence in report["warnings"]))
+        self.assertEqual((self.folder / "lean.ply").read_bytes(), expected)
 
     def test_quiet_says_nothing(self):
         write_off(self.folder / "in.off", wave(8))

@@ -74,6 +74,23 @@ class Result(unittest.TestCase):
         wall = solid.vertices[solid.triangles[solid.region == Region.WALL]]
         self.assertTrue((np.abs(wall[..., :2]).max(axis=(1, 2)) == 10).all())
 
+    def test_simplify(self):
+        x, y = np.meshgrid(np.arange(11.0), np.arange(11.0))
+        vertices = np.column_stack([x.ravel(), y.ravel(), np.zeros(x.size)])
+        corner = np.array([11 * row + column for row in range(10) for column in range(10)])
+        triangles = np.vstack([corner + [[0], [1], [12]], corner + [[0], [12], [11]]]).reshape(2, 3, -1)
+        triangles = triangles.transpose(0, 2, 1).reshape(-1, 3)
+        counts = {}
+        for word in ("off", "shell"):
+            solid = thicken_mesh(vertices, triangles, 2, simplify=word)
+            self.assertTrue(keeps(solid.vertices[solid.triangles], vertices[triangles]))
+            self.assertEqual(solid.report["simplify"]["triangles_after"], len(solid.triangles))
+            counts[word] = np.count_nonzero(solid.region == Region.SHELL)
+        self.assertEqual(counts["off"], len(triangles))
+        self.assertLess(5 * counts["shell"], counts["off"])
+        with self.assertRaisesRegex(ValueError, "simplify must be one of"):
+            thicken_mesh(vertices, triangles, 2, simplify="much")
+
     def test_double_precision_keeps_doubles(self):
         vertices, triangles = saddle()
         vertices = vertices.astype(float) * math.pi

@@ -26,6 +26,13 @@ enum class Join {
   kRound,  ///< r from S everywhere (Definition 2)
 };
 
+/// Which of the triangles that a run adds to S are merged into fewer, within the tolerance.
+enum class Simplify {
+  kOff,    ///< none
+  kAuto,   ///< of walls and of the shell, those that are smaller than the triangles of S near them
+  kShell,  ///< all, also where the shell is a copy of S
+};
+
 /// The precision that the result will be stored in. STL and FreeCAD's mesh kernel hold floats: new
 /// vertices are rounded to float in either case, S itself only where it has to be.
 enum class Precision {
@@ -48,11 +55,13 @@ struct Options {
   std::optional<double> bridge;     ///< with repair: mm, RepairOptions::bridgeDistance
   std::optional<double> fillHoles;  ///< with repair: mm, RepairOptions::longestHole
   bool strict = false;  ///< refuse a solid that lost too much or is mostly too thin (docs/repair.md)
+  Simplify simplify = Simplify::kAuto;
   int threads = 0;      ///< 0: all that the machine has
 };
 
 [[nodiscard]] std::string_view name(Side side) noexcept;
 [[nodiscard]] std::string_view name(Method method) noexcept;
 [[nodiscard]] std::string_view name(Join join) noexcept;
+[[nodiscard]] std::string_view name(Simplify simplify) noexcept;
 
 }  // namespace thicken

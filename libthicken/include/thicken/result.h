@@ -55,6 +55,13 @@ struct Fallback {
   std::size_t enoughMemory = 0;  ///< bytes, with "memory": there would have been room; 0: not known
 };
 
+/// What was made coarser (Options::simplify).
+struct SimplifyFacts {
+  std::size_t before = 0, after = 0;  ///< triangles of the solid
+  double deviation = 0;               ///< mm, largest that was added: from where the shell is to be, or a wall was
+  double worstAspect = 0;             ///< longest edge by least height, of the worst triangle of shell and walls
+};
+
 struct Report {
   SurfaceFacts input;                 ///< as it was given, before any repair
   NearRims nearRims;                  ///< of the surface that was thickened
@@ -97,6 +104,7 @@ struct Report {
   std::size_t rounds = 0;    ///< rounds of retests that the sweep took; 0 where there was none
   std::size_t attempts = 0;  ///< attempts after the first that the contour took; 0 where there was none
   std::vector<Fallback> fallbacks;  ///< where the sweep was left instead of a contour
+  SimplifyFacts simplify;
   AuditFacts audit;
   std::vector<std::string> warnings;  ///< complete sentences
 };

@@ -126,6 +126,9 @@ void describeThicken(CLI::App& app, Arguments& arguments) {
       ->type_name("E");
   addChoice(app, "--join", options.join, std::vector{Join::kMitre, Join::kRound},
             "Shell outside of convex edges");
+  addChoice(app, "--simplify", options.simplify,
+            std::vector{Simplify::kOff, Simplify::kAuto, Simplify::kShell},
+            "Merge triangles that were added, within the tolerance");
   app.add_option("--smooth", options.smooth, "Rounds of shape optimisation")->type_name("ROUNDS");
   app.add_flag("--repair", options.repair, "Mend a defective surface first and report every change");
   app.add_option("--weld", options.weld, "With --repair: join rims that are at most so far apart, mm")

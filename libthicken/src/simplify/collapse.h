@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Edge collapse by quadrics, each proved: an edge goes only where the mesh stays manifold, no triangle turns
+// over or becomes a needle, no two triangles meet (exactly), and the triangles that change stay within the
+// error that is allowed.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "bvh/triangle_distance.h"
+#include "exact/box_tree.h"
+#include "mesh/bounds.h"
+#include "simplify/edge_queue.h"
+#include "simplify/linked_mesh.h"
+#include "simplify/shell_targets.h"
+#include "thicken/closest_point.h"
+#include "thicken/mesh.h"
+#include "thicken/options.h"
+#include "thicken/result.h"
+#include "thicken/run_context.h"
+
+namespace thicken::simplifying {
+
+/// Longest edge by least height from which on a triangle counts as a needle.
+inline constexpr double kNeedle = 30;
+
+/// Longest edge by least height; 1.15 of an equilateral triangle, infinite without area.
+[[nodiscard]] double aspectOf(const Vec3& a, const Vec3& b, const Vec3& c);
+
+/// What a collapse may do.
+struct Limits {
+  double r = 0;      ///< mm
+  double error = 0;  ///< mm, farthest from a target, and error of the places that are looked at
+  Side side = Side::kNegative;
+  std::optional<double> proved;  ///< mm, error of whole triangles (shellBeyond())
+};
+
+class Collapse {
+ public:
+  /// `mesh` is closed and manifold; its first `fixedVertices` stay as they are. All must outlive this.
+  Collapse(TriangleMesh& mesh, LinkedMesh& links, std::span<const Region> region, std::size_t fixedVertices,
+           const ShellDefinition& definition, const ClosestPointTree& tree, ShellTargets& targets,
+           const Vec3& center, const Limits& limits, int threads);
+
+  /// Collapses what it can, cheapest edges first.
+  void run(const RunContext& context);
+
+  [[nodiscard]] double largestDeviation() const { return largest_; }  ///< mm, from a target
+
+ private:
+  struct Changed {
+    TriangleId id = 0;
+    Triangle corners{};  // after the collapse
+    Vec3 normal;         // before it, of the length of twice the area
+    bool isLoose = false;
+  };
+
+  void countCreases();
+  void collapseAmong(std::span<const TriangleId> triangles, const RunContext& context);
+  void pushAround(VertexId v);
+  void push(VertexId a, VertexId b, TriangleId left, TriangleId right);
+  [[nodiscard]] bool isRemovable(VertexId v, bool alongCrease) const;
+  bool tryEdge(VertexId a, VertexId b);
+  bool tryAt(VertexId keep, VertexId go, const Vec3& place, bool isNew);
+  void gatherChanged(VertexId a, VertexId b);
+  [[nodiscard]] bool areWellShaped() const;
+  [[nodiscard]] bool coverTargets();
+  [[nodiscard]] bool followDefinition(VertexId keep, bool isNew);
+  [[nodiscard]] bool areClear();
+  [[nodiscard]] bool areProved() const;
+  void apply(VertexId keep, VertexId go);
+
+  [[nodiscard]] double costOf(double quadric, double length2) const;
+  [[nodiscard]] std::array<Vec3, 3> cornersOf(const Triangle& t) const {
+    return {mesh_.positions[t[0]], mesh_.positions[t[1]], mesh_.positions[t[2]]};
+  }
+
+  TriangleMesh& mesh_;
+  LinkedMesh& links_;
+  std::span<const Region> region_;
+  std::size_t fixed_;
+  const ShellDefinition& definition_;
+  const ClosestPointTree& tree_;
+  ShellTargets& targets_;
+  Vec3 center_;
+  Limits limits_;
+  exact::BoxTree boxes_;
+  std::vector<std::uint8_t> creases_;  // per vertex: edges between two regions, up to 3
+  std::vector<std::uint32_t> age_;     // per vertex: changes
+  std::vector<std::uint32_t> block_;   // per vertex: edges within one are collapsed
+  EdgeQueue queue_;
+  double largest_ = 0;
+  // Of the collapse that is tried:
+  std::array<VertexId, 2> edge_{};
+  std::array<TriangleId, 2> gone_{};
+  std::vector<TriangleId> starA_, starB_;
+  std::vector<Changed> changed_;
+  std::array<Vec3, 2> facing_;  // sum of the normals of the shell's triangles, and of the wall's
+  double oldAspect_ = 0;
+  bool anyLoose_ = false, allLoose_ = false;
+  struct Move {
+    std::uint32_t target, to;
+  };
+  std::vector<Move> moves_;
+  std::vector<PreparedTriangle> prepared_;  // changed_, and their bounds
+  std::vector<Bounds> bounds_;
+  double farthest_ = 0;
+};
+
+}  // namespace thicken::simplifying

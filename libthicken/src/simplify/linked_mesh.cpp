@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "simplify/linked_mesh.h"
+
+#include <algorithm>
+
+#include "mesh/topology.h"
+
+namespace thicken::simplifying {
+
+LinkedMesh::LinkedMesh(TriangleMesh& mesh, int threads)
+    : mesh_(mesh),
+      neighbour_(neighbours(mesh.positions.size(), mesh.triangles, threads)),
+      any_(mesh.positions.size(), kNone),
+      gone_(mesh.triangles.size(), 0) {
+  for (TriangleId t = 0; t < mesh.triangles.size(); ++t)
+    for (const VertexId v : mesh.triangles[t]) any_[v] = t;
+}
+
+bool LinkedMesh::isClosedManifold() const {
+  std::vector<std::uint32_t> around(mesh_.positions.size(), 0);
+  for (TriangleId t = 0; t < neighbour_.size(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const TriangleId n = neighbour_[t][k];
+      if (n == kNone || n == t) return false;
+      if (std::ranges::count(neighbour_[n], t) != std::ranges::count(neighbour_[t], n)) return false;
+      ++around[mesh_.triangles[t][k]];
+    }
+  for (VertexId v = 0; v < around.size(); ++v)
+    if (valence(v, around[v]) != around[v]) return false;
+  return true;
+}
+
+std::size_t LinkedMesh::valence(VertexId v, std::size_t most) const {
+  if (any_[v] == kNone) return 0;
+  std::size_t count = 0;
+  TriangleId t = any_[v];
+  do {
+    t = neighbour_[t][cornerOf(t, v)];
+    ++count;
+  } while (t != any_[v] && count <= most);
+  return count;
+}
+
+void LinkedMesh::starOf(VertexId v, std::vector<TriangleId>& star) const {
+  star.clear();
+  TriangleId t = any_[v];
+  do {
+    star.push_back(t);
+    t = neighbour_[t][cornerOf(t, v)];
+  } while (t != any_[v]);
+}
+
+bool LinkedMesh::canCollapse(VertexId keep, VertexId go, const std::vector<TriangleId>& starOfKeep,
+                             const std::vector<TriangleId>& starOfGo) {
+  link_.clear();
+  for (const TriangleId t : starOfKeep) link_.push_back(mesh_.triangles[t][(cornerOf(t, keep) + 1) % 3]);
+  int common = 0;
+  for (const TriangleId t : starOfGo) {
+    const VertexId ring = mesh_.triangles[t][(cornerOf(t, go) + 1) % 3];
+    if (std::ranges::find(link_, ring) == link_.end()) continue;
+    // With fewer triangles around it the third corner would be left with two.
+    constexpr std::size_t kLeast = 4;
+    if (++common > 2 || valence(ring, kLeast) < kLeast) return false;
+  }
+  return common == 2;
+}
+
+void LinkedMesh::replaceNeighbour(TriangleId of, TriangleId from, TriangleId to) {
+  *std::ranges::find(neighbour_[of], from) = to;
+}
+
+void LinkedMesh::collapse(VertexId keep, VertexId go, const std::vector<TriangleId>& starOfGo) {
+  std::array<TriangleId, 2> gone{};
+  std::size_t count = 0;
+  for (const TriangleId t : starOfGo) {
+    Triangle& corners = mesh_.triangles[t];
+    if (std::ranges::find(corners, keep) == corners.end())
+      corners[cornerOf(t, go)] = keep;
+    else
+      gone[count++] = t;
+  }
+  for (const TriangleId t : gone) {
+    const Triangle& corners = mesh_.triangles[t];
+    const int k = cornerOf(t, keep);
+    const int edge = corners[(k + 1) % 3] == go ? k : (k + 2) % 3;  // that is collapsed
+    const TriangleId first = neighbour_[t][(edge + 1) % 3], second = neighbour_[t][(edge + 2) % 3];
+    const VertexId third = corners[(edge + 2) % 3];
+    replaceNeighbour(first, t, second);
+    replaceNeighbour(second, t, first);
+    any_[keep] = any_[third] = first;
+    mesh_.triangles[t] = {keep, keep, keep};
+    gone_[t] = 1;
+  }
+  any_[go] = kNone;
+}
+
+}  // namespace thicken::simplifying

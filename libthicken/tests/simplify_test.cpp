@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "simplify/simplify.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "analytic_surfaces.h"
+#include "check/audit.h"
+#include "mesh/float_lattice.h"
+#include "plain_shapes.h"
+#include "simplify/collapse.h"
+#include "simplify/edge_queue.h"
+#include "simplify/linked_mesh.h"
+#include "simplify/quadric.h"
+#include "thicken/thicken.h"
+
+namespace thicken {
+namespace {
+
+using namespace shapes;
+using namespace simplifying;
+
+std::size_t countOf(const Solid& solid, Region region) {
+  return static_cast<std::size_t>(std::ranges::count(solid.region, region));
+}
+
+Options options(double r, Simplify what, Method method = Method::kSweep) {
+  Options o;
+  o.thickness = r;
+  o.method = method;
+  o.simplify = what;
+  o.threads = 1;
+  return o;
+}
+
+TriangleMesh rounded(TriangleMesh mesh) {
+  for (Vec3& p : mesh.positions) p = roundToFloat(p);
+  return weld(mesh);
+}
+
+// S first, in its own order and with its own coordinates.
+void expectKept(const Solid& solid, const TriangleMesh& s) {
+  ASSERT_GE(solid.mesh.triangles.size(), s.triangles.size());
+  for (std::size_t t = 0; t < s.triangles.size(); ++t) {
+    ASSERT_EQ(solid.mesh.triangles[t], s.triangles[t]);
+    for (const VertexId v : s.triangles[t]) ASSERT_EQ(solid.mesh.positions[v], s.positions[v]);
+  }
+  EXPECT_TRUE(audit(solid.mesh, s, Side::kNegative, RunContext(), 1).facts.passed());
+  for (std::size_t v = s.positions.size(); v < solid.mesh.positions.size(); ++v)
+    EXPECT_TRUE(isFloat(solid.mesh.positions[v]));
+}
+
+TEST(Simplify, MakesFewTrianglesOfAPlane) {
+  const TriangleMesh s = rounded(plane(20, 10));
+  const Solid off = thicken(s, options(2, Simplify::kOff)), on = thicken(s, options(2, Simplify::kShell));
+  EXPECT_EQ(countOf(off, Region::kShell), s.triangles.size());
+  // Two would do but for the fans of the walls, whose triangles must be no needles.
+  EXPECT_LE(countOf(on, Region::kShell), 32u);
+  EXPECT_LE(countOf(on, Region::kWall), 4 * 20u + 40u)
+      << "one for each rim edge, and one for each of the shell's";
+  EXPECT_NEAR(on.report.volume, off.report.volume, 1e-3 * off.report.volume);
+  EXPECT_EQ(on.report.simplify.before, off.report.triangles);
+  EXPECT_EQ(on.report.simplify.after, on.mesh.triangles.size());
+  EXPECT_LE(on.report.simplify.worstAspect, kNeedle);
+  expectKept(on, s);
+}
+
+TEST(Simplify, LeavesTheCopyOfAnEvenSurfaceUnlessAskedFor) {
+  const TriangleMesh s = rounded(sphere(4, 10));
+  const Solid off = thicken(s, options(1, Simplify::kOff)), on = thicken(s, options(1, Simplify::kAuto));
+  EXPECT_EQ(on.mesh.triangles, off.mesh.triangles);
+  EXPECT_EQ(on.report.simplify.deviation, 0);
+}
+
+// Strips of a cylinder whose chords are off by no more than e to either side: a turn of t has the sagitta
+// R (1 - cos t/2), of which one half is above the cylinder and one below.
+TEST(Simplify, NeedsOfACylinderWhatTheSagittaSays) {
+  constexpr double kRadius = 10, kR = 1, kAngle = kPi;
+  const TriangleMesh s = rounded(cylinderPatch(256, kRadius, kAngle, 10));
+  const Solid on = thicken(s, options(kR, Simplify::kShell));
+  const auto strips = [](double e) { return kAngle / (2 * std::acos(1 - 2 * e / (kRadius - kR))); };
+  EXPECT_GE(double(countOf(on, Region::kShell)), 2 * std::floor(strips(0.01 * kR)));
+  EXPECT_LE(double(countOf(on, Region::kShell)), 6 * 2 * strips(0.007 * kR)) << "of " << s.triangles.size();
+  EXPECT_LE(on.report.shellError.p99, 0.01);
+  expectKept(on, s);
+}
+
+TEST(Simplify, KeepsAToleranceProved) {
+  const TriangleMesh s = rounded(cylinderPatch(32, 10, kPi / 4, 5));
+  Options asked = options(1, Simplify::kShell);
+  asked.tolerance = 0.02;
+  const Solid on = thicken(s, asked);
+  asked.simplify = Simplify::kOff;
+  const Solid off = thicken(s, asked);
+  EXPECT_LT(2 * countOf(on, Region::kShell), countOf(off, Region::kShell));
+  ASSERT_TRUE(on.report.shellErrorBound);
+  EXPECT_LE(*on.report.shellErrorBound, 0.02);
+  expectKept(on, s);
+}
+
+TEST(Simplify, MakesAContourAThirdAtMost) {
+  const TriangleMesh s = rounded(sphere(2, 10, [](const Vec3& p) { return p.z() > 0; }));
+  const Solid off = thicken(s, options(1.5, Simplify::kOff, Method::kReconstruct));
+  const Solid on = thicken(s, options(1.5, Simplify::kAuto, Method::kReconstruct));
+  EXPECT_LT(3 * on.mesh.triangles.size(), off.mesh.triangles.size());
+  EXPECT_LE(on.report.shellError.p99, 0.01);
+  expectKept(on, s);
+}
+
+TEST(Simplify, KeepsTheRimOnBothSides) {
+  const TriangleMesh s = rounded(plane(12, 10));
+  Options asked = options(1, Simplify::kShell);
+  asked.side = Side::kBoth;
+  const Solid on = thicken(s, asked);  // throws where the audit does not find the rim
+  EXPECT_LT(4 * countOf(on, Region::kShell), 2 * s.triangles.size());
+}
+
+class SimplifyProperty : public ::testing::TestWithParam<int> {};
+
+TEST_P(SimplifyProperty, RandomSolidsStayValidAndTheSameForAnyThreads) {
+  std::mt19937 random(static_cast<unsigned>(GetParam()));
+  TriangleMesh s;
+  for (double noise = 0.8; s.triangles.empty() || !check(s).valid(); noise *= 0.8)
+    s = rounded(heightField(14, random, 0.25, noise));
+  Options asked = options(0.08, Simplify::kShell, Method::kAuto);
+  const Solid one = thicken(s, asked);
+  asked.threads = 2;
+  const Solid two = thicken(s, asked);
+  EXPECT_EQ(one.mesh.positions, two.mesh.positions);
+  EXPECT_EQ(one.mesh.triangles, two.mesh.triangles);
+  EXPECT_LT(one.report.simplify.after, one.report.simplify.before);
+  expectKept(one, s);
+}
+INSTANTIATE_TEST_SUITE_P(Seeds, SimplifyProperty, ::testing::Range(0, 6));
+
+TEST(Simplify, LeavesWhatIsNotClosed) {
+  const TriangleMesh s = plane(4, 10);
+  TriangleMesh solid = slab(s, 1);
+  solid.triangles.pop_back();
+  const TriangleMesh before = solid;
+  std::vector<Region> region(solid.triangles.size(), Region::kShell);
+  std::fill_n(region.begin(), s.triangles.size(), Region::kOriginal);
+  const ClosestPointTree tree(s);
+  SimplifyRequest request{s, tree, 1, Side::kNegative, Join::kMitre, {}, Simplify::kShell};
+  const SimplifyFacts facts = simplify(solid, region, request, RunContext(), 1);
+  EXPECT_EQ(solid.triangles, before.triangles);
+  EXPECT_EQ(facts.before, facts.after);
+}
+
+TEST(Simplify, CanBeCancelled) {
+  const TriangleMesh s = plane(8, 10);
+  TriangleMesh solid = slab(s, 1);
+  std::vector<Region> region(solid.triangles.size(), Region::kShell);
+  const ClosestPointTree tree(s);
+  RunContext context;
+  context.cancel();
+  SimplifyRequest request{s, tree, 1, Side::kNegative, Join::kMitre, {}, Simplify::kShell};
+  EXPECT_THROW((void)simplify(solid, region, request, context, 1), Error);
+}
+
+TEST(LinkedMesh, CollapsesAnEdgeAndStaysClosed) {
+  TriangleMesh mesh = sphere(1, 1);
+  LinkedMesh links(mesh, 1);
+  ASSERT_TRUE(links.isClosedManifold());
+  std::vector<TriangleId> starA, starB;
+  const VertexId a = mesh.triangles[0][0], b = mesh.triangles[0][1];
+  links.starOf(a, starA);
+  links.starOf(b, starB);
+  ASSERT_TRUE(links.canCollapse(a, b, starA, starB));
+  links.collapse(a, b, starB);
+  TriangleMesh left = mesh;
+  std::erase_if(left.triangles, [](const Triangle& t) { return t[0] == t[1]; });
+  EXPECT_EQ(left.triangles.size(), mesh.triangles.size() - 2);
+  LinkedMesh again(left, 1);
+  EXPECT_TRUE(again.isClosedManifold());
+  links.starOf(a, starA);
+  EXPECT_EQ(starA.size() + 4, [&] {
+    std::vector<TriangleId> before;
+    TriangleMesh fresh = sphere(1, 1);
+    LinkedMesh linked(fresh, 1);
+    linked.starOf(a, before);
+    return before.size() + starB.size();
+  }());
+}
+
+TEST(LinkedMesh, CollapsesNoTetrahedronAndNoNeck) {
+  TriangleMesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  LinkedMesh links(mesh, 1);
+  ASSERT_TRUE(links.isClosedManifold());
+  std::vector<TriangleId> starA, starB;
+  links.starOf(0, starA);
+  links.starOf(1, starB);
+  EXPECT_FALSE(links.canCollapse(0, 1, starA, starB));
+}
+
+TEST(LinkedMesh, TellsWhatIsNoClosedManifold) {
+  TriangleMesh open = plane(2, 1);
+  EXPECT_FALSE(LinkedMesh(open, 1).isClosedManifold());
+  // two boxes with one corner in common
+  TriangleMesh touching = together(box({0, 0, 0}, {1, 1, 1}), box({1, 1, 1}, {2, 2, 2}));
+  EXPECT_TRUE(LinkedMesh(touching, 1).isClosedManifold());
+  for (Triangle& t : touching.triangles) std::ranges::replace(t, VertexId{8}, VertexId{7});
+  EXPECT_FALSE(LinkedMesh(touching, 1).isClosedManifold());
+}
+
+TEST(EdgeQueue, GivesTheCheapestFirst) {
+  std::mt19937 random(1);
+  EdgeQueue queue;
+  std::vector<double> cost;
+  for (VertexId i = 0; i < 1000; ++i) {
+    cost.push_back(std::ldexp(double(random() % 1000), -int(random() % 40)));
+    queue.push(cost.back(), {i, i + 1, 0, 0});
+  }
+  double last = 0;
+  std::size_t count = 0;
+  while (const auto next = queue.pop()) {
+    EXPECT_GE(cost[next->a] * (1 + 1.0 / 32), last);
+    last = cost[next->a];
+    ++count;
+  }
+  EXPECT_EQ(count, cost.size());
+  queue.push(3, {1, 2, 0, 0});
+  EXPECT_TRUE(queue.pop()) << "a cheap one after dear ones";
+}
+
+TEST(Quadric, IsLeastWherePlanesMeetAndStaysBesideWhereTheyAreOne) {
+  Quadric corner;
+  corner.add(Vec3::UnitX(), {1, 0, 0}, 2);
+  corner.add(Vec3::UnitY(), {0, 2, 0}, 1);
+  corner.add(Vec3::UnitZ(), {0, 0, 3}, 1);
+  EXPECT_LT((corner.leastNear({1, 2, 2}) - Vec3(1, 2, 3)).norm(), 0.01);
+  EXPECT_NEAR(corner.at({2, 2, 3}), 2, 1e-12);
+  Quadric flat;
+  flat.add(Vec3::UnitZ(), {0, 0, 3}, 1);
+  EXPECT_LT((flat.leastNear({5, 6, 3}) - Vec3(5, 6, 3)).norm(), 1e-9);
+}
+
+}  // namespace
+}  // namespace thicken
