@@ -62,6 +62,7 @@ TEST(ErrorBoundSlow, IsAboveADenseSamplingByAFifthAtMost) {
       o.thickness = r;
       o.method = method;
       o.cell = 0.15;
+      o.simplify = Simplify::kOff;
       const Solid solid = ::thicken::thicken(s, o);
       const double sampled = sampledError(s, solid), tolerance = std::max(1.2 * sampled, 0.01 * r);
       const ErrorBound bound = boundOf(s, solid.mesh, solid.region, r, tolerance);
@@ -145,6 +146,7 @@ TEST(ErrorBound, IsReportedOrRefusedByThicken) {
   const TriangleMesh s = plane(20, 10);
   Options o;
   o.thickness = 0.7;
+  o.simplify = Simplify::kOff;  // which may use up the tolerance
   EXPECT_FALSE(::thicken::thicken(s, o).report.shellErrorBound);
   o.tolerance = 0.01;
   const Solid solid = ::thicken::thicken(s, o);

@@ -101,6 +101,7 @@ TEST(Reconstruct, IsRoundBelowEdgesOfTheirRadius) {
   Options o;
   o.method = Method::kReconstruct;
   o.thickness = 0.8;
+  o.simplify = Simplify::kOff;
   const Solid solid = thicken(valleys(), o);
   EXPECT_LT(solid.report.shellErrorFullDepth.p99, 0.0015);
   EXPECT_LT(solid.report.shellErrorFullDepth.mean, 0.00015);
@@ -247,6 +248,7 @@ TEST(ReconstructSlow, TakesFinerCellsOnlyWhereSheetsAreTooClose) {
   Options o;
   o.thickness = 1;
   o.method = Method::kReconstruct;
+  o.simplify = Simplify::kOff;
   const TriangleMesh sharp = pleats(24, 6, 6, 0.4);
   const Solid solid = thicken(sharp, o);
   EXPECT_LT(solid.report.finestCell, 0.6 * solid.report.cell);

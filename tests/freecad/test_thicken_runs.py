@@ -13,7 +13,7 @@ from ThickenWorkbench.check_surface import check_step
 from ThickenWorkbench.drain_holes import drill_step
 from ThickenWorkbench.export import export_step
 from ThickenWorkbench.printability import report_step, write_measured
-from ThickenWorkbench.repair_feature import repair_step
+from ThickenWorkbench.repair_feature import Joins, repair_step
 from ThickenWorkbench.sources import RefusedError
 from ThickenWorkbench.thickness_map import map_step
 from thicken_case import DocumentCase
@@ -33,7 +33,7 @@ class Steps(DocumentCase):
         up = App.Vector(0, 0, 1)
         return {
             "check": lambda: check_step(self.surface),
-            "repair": lambda: repair_step(self.surface, None),
+            "repair": lambda: repair_step(self.surface, Joins(None)),
             "wall": lambda: map_step(self.solid),
             "deviation": lambda: map_step(self.feature, "deviation"),
             "report": lambda: report_step(self.solid),
