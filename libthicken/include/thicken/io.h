@@ -34,8 +34,8 @@ struct MeshFile {
 /// it is complete. Throws Error(kUnwritable).
 void writeMesh(const std::filesystem::path& path, const TriangleMesh& mesh);
 
-/// The files that writeMeshes() writes: `path` where it is one or the format holds several objects (.3mf), else
-/// numbered ones, part-1.stl, part-2.stl, … for part.stl.
+/// The files that writeMeshes() writes: `path` where it is one or the format holds several objects (.3mf),
+/// else numbered ones, part-1.stl, part-2.stl, … for part.stl.
 [[nodiscard]] std::vector<std::filesystem::path> pathsOfMeshes(const std::filesystem::path& path,
                                                                std::size_t count);
 

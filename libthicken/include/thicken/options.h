@@ -56,7 +56,7 @@ struct Options {
   std::optional<double> fillHoles;  ///< with repair: mm, RepairOptions::longestHole
   bool strict = false;  ///< refuse a solid that lost too much or is mostly too thin (docs/repair.md)
   Simplify simplify = Simplify::kAuto;
-  int threads = 0;      ///< 0: all that the machine has
+  int threads = 0;  ///< 0: all that the machine has
 };
 
 [[nodiscard]] std::string_view name(Side side) noexcept;

@@ -58,8 +58,8 @@ struct Fallback {
 /// What was made coarser (Options::simplify).
 struct SimplifyFacts {
   std::size_t before = 0, after = 0;  ///< triangles of the solid
-  double deviation = 0;               ///< mm, largest that was added: from where the shell is to be, or a wall was
-  double worstAspect = 0;             ///< longest edge by least height, of the worst triangle of shell and walls
+  double deviation = 0;    ///< mm, largest that was added: from where the shell is to be, or a wall was
+  double worstAspect = 0;  ///< longest edge by least height, of the worst triangle of shell and walls
 };
 
 struct Report {
