@@ -12,7 +12,6 @@
 #include "mesh/sort_unique.h"
 #include "mesh/topology.h"
 #include "mesh/union_find.h"
-#include "reconstruct/carrier.h"
 #include "reconstruct/drop_unused.h"
 
 namespace thicken {
