@@ -40,6 +40,16 @@ double longestEdge(const TriangleMesh& mesh, TriangleId t) {
   return std::max({(q - p).norm(), (r - q).norm(), (p - r).norm()});
 }
 
+// Whether Definition 2 ends the solid within `reach` mm of a point whose nearest place on S is `c`: halfway to
+// another sheet, short of the thickness.
+bool endsHalfway(const Vec3& p, const ClosestPoint& c, const ClosestPointTree& tree, double r, double reach) {
+  if (!(c.distance > 0)) return false;
+  const Vec3 step = reach / c.distance * (p - c.point);
+  const bool isInside = insideThickened(p, c, r);
+  const auto differs = [&](const Vec3& q) { return insideThickened(q, *tree.closest(q), r) != isInside; };
+  return differs(p + step) || differs(p - step);
+}
+
 // How far each triangle of the sweep's shell is off, mm: the most at its middle and in the middles of its
 // corner pieces; 0 for others. An error that one corner has alone counts as far as it reaches.
 std::vector<double> shellErrors(const TriangleMesh& surface, const SweepResult& swept,
@@ -49,9 +59,11 @@ std::vector<double> shellErrors(const TriangleMesh& surface, const SweepResult& 
   const auto around = vertexTriangles(surface.positions.size(), surface.triangles, threads);
   const OffsetError error(surface, normal, around, options.thickness, joinOf(options));
   const std::vector<Vec3>& p = swept.mesh.positions;
+  const double enough = errorToLeave(options);
   // What is nearest to the rim is wall, which may lean (Remark 4).
   const auto errorOf = [&](const Vec3& at, const ClosestPoint& c) {
-    return c.onRim ? 0.0 : std::abs(error.at(at, c).mm);
+    const double off = c.onRim ? 0 : error.at(at, c).mm;
+    return off < -enough && endsHalfway(at, c, tree, options.thickness, enough) ? 0 : std::abs(off);
   };
   std::vector<double> atVertex(p.size(), 0);
   SpatialOrder(swept.nearest, tree, threads)
@@ -65,7 +77,6 @@ std::vector<double> shellErrors(const TriangleMesh& surface, const SweepResult& 
           [&](std::uint32_t v, std::size_t, const Vec3& at, const ClosestPoint& c) {
             atVertex[v] = errorOf(at, c);
           });
-  const double enough = errorToLeave(options);
   // Within a triangle with the longest edge e the square of the distance to S is not less than the mean of
   // its corners' by more than e²/3, so that its middle need not be looked at where that is a quarter of what
   // is left.
