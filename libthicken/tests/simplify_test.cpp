@@ -13,7 +13,7 @@
 #include "plain_shapes.h"
 #include "simplify/collapse.h"
 #include "simplify/edge_queue.h"
-#include "simplify/linked_mesh.h"
+#include "mesh/linked_mesh.h"
 #include "simplify/quadric.h"
 #include "thicken/thicken.h"
 
@@ -163,7 +163,7 @@ TEST(Simplify, CanBeCancelled) {
 
 TEST(LinkedMesh, CollapsesAnEdgeAndStaysClosed) {
   TriangleMesh mesh = sphere(1, 1);
-  LinkedMesh links(mesh, 1);
+  LinkedMesh links(mesh.positions.size(), mesh.triangles, 1);
   ASSERT_TRUE(links.isClosedManifold());
   std::vector<TriangleId> starA, starB;
   const VertexId a = mesh.triangles[0][0], b = mesh.triangles[0][1];
@@ -174,13 +174,13 @@ TEST(LinkedMesh, CollapsesAnEdgeAndStaysClosed) {
   TriangleMesh left = mesh;
   std::erase_if(left.triangles, [](const Triangle& t) { return t[0] == t[1]; });
   EXPECT_EQ(left.triangles.size(), mesh.triangles.size() - 2);
-  LinkedMesh again(left, 1);
+  LinkedMesh again(left.positions.size(), left.triangles, 1);
   EXPECT_TRUE(again.isClosedManifold());
   links.starOf(a, starA);
   EXPECT_EQ(starA.size() + 4, [&] {
     std::vector<TriangleId> before;
     TriangleMesh fresh = sphere(1, 1);
-    LinkedMesh linked(fresh, 1);
+    LinkedMesh linked(fresh.positions.size(), fresh.triangles, 1);
     linked.starOf(a, before);
     return before.size() + starB.size();
   }());
@@ -190,7 +190,7 @@ TEST(LinkedMesh, CollapsesNoTetrahedronAndNoNeck) {
   TriangleMesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
-  LinkedMesh links(mesh, 1);
+  LinkedMesh links(mesh.positions.size(), mesh.triangles, 1);
   ASSERT_TRUE(links.isClosedManifold());
   std::vector<TriangleId> starA, starB;
   links.starOf(0, starA);
@@ -200,12 +200,12 @@ TEST(LinkedMesh, CollapsesNoTetrahedronAndNoNeck) {
 
 TEST(LinkedMesh, TellsWhatIsNoClosedManifold) {
   TriangleMesh open = plane(2, 1);
-  EXPECT_FALSE(LinkedMesh(open, 1).isClosedManifold());
+  EXPECT_FALSE(LinkedMesh(open.positions.size(), open.triangles, 1).isClosedManifold());
   // two boxes with one corner in common
   TriangleMesh touching = together(box({0, 0, 0}, {1, 1, 1}), box({1, 1, 1}, {2, 2, 2}));
-  EXPECT_TRUE(LinkedMesh(touching, 1).isClosedManifold());
+  EXPECT_TRUE(LinkedMesh(touching.positions.size(), touching.triangles, 1).isClosedManifold());
   for (Triangle& t : touching.triangles) std::ranges::replace(t, VertexId{8}, VertexId{7});
-  EXPECT_FALSE(LinkedMesh(touching, 1).isClosedManifold());
+  EXPECT_FALSE(LinkedMesh(touching.positions.size(), touching.triangles, 1).isClosedManifold());
 }
 
 TEST(EdgeQueue, GivesTheCheapestFirst) {

@@ -59,7 +59,7 @@ double worstAspect(const TriangleMesh& solid, std::span<const Region> region) {
 // Collapses what it can of a solid. Returns the largest deviation, mm.
 double collapsed(TriangleMesh& solid, std::vector<Region>& region, const SimplifyRequest& request,
                  const RunContext& context, int threads) {
-  LinkedMesh links(solid, threads);
+  LinkedMesh links(solid.positions.size(), solid.triangles, threads);
   if (!links.isClosedManifold()) return 0;
   const double r = request.thickness, most = request.tolerance.value_or(kFollows * r);
   const Bounds bounds = boundsOf(solid);

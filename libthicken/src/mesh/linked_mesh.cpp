@@ -1,29 +1,29 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "simplify/linked_mesh.h"
+#include "mesh/linked_mesh.h"
 
 #include <algorithm>
 
 #include "mesh/topology.h"
 
-namespace thicken::simplifying {
+namespace thicken {
 
-LinkedMesh::LinkedMesh(TriangleMesh& mesh, int threads)
-    : mesh_(mesh),
-      neighbour_(neighbours(mesh.positions.size(), mesh.triangles, threads)),
-      any_(mesh.positions.size(), kNone),
-      gone_(mesh.triangles.size(), 0) {
-  for (TriangleId t = 0; t < mesh.triangles.size(); ++t)
-    for (const VertexId v : mesh.triangles[t]) any_[v] = t;
+LinkedMesh::LinkedMesh(std::size_t vertices, std::vector<Triangle>& triangles, int threads)
+    : triangles_(triangles),
+      neighbour_(neighbours(vertices, triangles, threads)),
+      any_(vertices, kNone),
+      gone_(triangles.size(), 0) {
+  for (TriangleId t = 0; t < triangles.size(); ++t)
+    for (const VertexId v : triangles[t]) any_[v] = t;
 }
 
 bool LinkedMesh::isClosedManifold() const {
-  std::vector<std::uint32_t> around(mesh_.positions.size(), 0);
+  std::vector<std::uint32_t> around(any_.size(), 0);
   for (TriangleId t = 0; t < neighbour_.size(); ++t)
     for (int k = 0; k < 3; ++k) {
       const TriangleId n = neighbour_[t][k];
       if (n == kNone || n == t) return false;
       if (std::ranges::count(neighbour_[n], t) != std::ranges::count(neighbour_[t], n)) return false;
-      ++around[mesh_.triangles[t][k]];
+      ++around[triangles_[t][k]];
     }
   for (VertexId v = 0; v < around.size(); ++v)
     if (valence(v, around[v]) != around[v]) return false;
@@ -53,10 +53,10 @@ void LinkedMesh::starOf(VertexId v, std::vector<TriangleId>& star) const {
 bool LinkedMesh::canCollapse(VertexId keep, VertexId go, const std::vector<TriangleId>& starOfKeep,
                              const std::vector<TriangleId>& starOfGo) {
   link_.clear();
-  for (const TriangleId t : starOfKeep) link_.push_back(mesh_.triangles[t][(cornerOf(t, keep) + 1) % 3]);
+  for (const TriangleId t : starOfKeep) link_.push_back(triangles_[t][(cornerOf(t, keep) + 1) % 3]);
   int common = 0;
   for (const TriangleId t : starOfGo) {
-    const VertexId ring = mesh_.triangles[t][(cornerOf(t, go) + 1) % 3];
+    const VertexId ring = triangles_[t][(cornerOf(t, go) + 1) % 3];
     if (std::ranges::find(link_, ring) == link_.end()) continue;
     // With fewer triangles around it the third corner would be left with two.
     constexpr std::size_t kLeast = 4;
@@ -73,14 +73,14 @@ void LinkedMesh::collapse(VertexId keep, VertexId go, const std::vector<Triangle
   std::array<TriangleId, 2> gone{};
   std::size_t count = 0;
   for (const TriangleId t : starOfGo) {
-    Triangle& corners = mesh_.triangles[t];
+    Triangle& corners = triangles_[t];
     if (std::ranges::find(corners, keep) == corners.end())
       corners[cornerOf(t, go)] = keep;
     else
       gone[count++] = t;
   }
   for (const TriangleId t : gone) {
-    const Triangle& corners = mesh_.triangles[t];
+    const Triangle& corners = triangles_[t];
     const int k = cornerOf(t, keep);
     const int edge = corners[(k + 1) % 3] == go ? k : (k + 2) % 3;  // that is collapsed
     const TriangleId first = neighbour_[t][(edge + 1) % 3], second = neighbour_[t][(edge + 2) % 3];
@@ -88,10 +88,10 @@ void LinkedMesh::collapse(VertexId keep, VertexId go, const std::vector<Triangle
     replaceNeighbour(first, t, second);
     replaceNeighbour(second, t, first);
     any_[keep] = any_[third] = first;
-    mesh_.triangles[t] = {keep, keep, keep};
+    triangles_[t] = {keep, keep, keep};
     gone_[t] = 1;
   }
   any_[go] = kNone;
 }
 
-}  // namespace thicken::simplifying
+}  // namespace thicken

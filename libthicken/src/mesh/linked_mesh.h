@@ -10,22 +10,22 @@
 
 #include "thicken/mesh.h"
 
-namespace thicken::simplifying {
+namespace thicken {
 
 class LinkedMesh {
  public:
-  /// `mesh` must outlive this. Positions may be changed from outside.
-  LinkedMesh(TriangleMesh& mesh, int threads);
+  /// `triangles`, of so many vertices, must outlive this.
+  LinkedMesh(std::size_t vertices, std::vector<Triangle>& triangles, int threads);
 
   /// Whether each edge has one triangle on either side, and each vertex one fan of triangles. Where it is
   /// false, nothing else may be asked.
   [[nodiscard]] bool isClosedManifold() const;
 
   [[nodiscard]] bool isGone(TriangleId t) const { return gone_[t] != 0; }
-  [[nodiscard]] const std::vector<Triangle>& triangles() const { return mesh_.triangles; }
+  [[nodiscard]] const std::vector<Triangle>& triangles() const { return triangles_; }
   [[nodiscard]] TriangleId neighbour(TriangleId t, int edge) const { return neighbour_[t][edge]; }
   [[nodiscard]] int cornerOf(TriangleId t, VertexId v) const {
-    const Triangle& c = mesh_.triangles[t];
+    const Triangle& c = triangles_[t];
     return c[0] == v ? 0 : c[1] == v ? 1 : 2;
   }
 
@@ -44,11 +44,11 @@ class LinkedMesh {
   void replaceNeighbour(TriangleId of, TriangleId from, TriangleId to);
   [[nodiscard]] std::size_t valence(VertexId v, std::size_t most) const;
 
-  TriangleMesh& mesh_;
+  std::vector<Triangle>& triangles_;
   std::vector<std::array<TriangleId, 3>> neighbour_;  // across the edge from corner k to corner k + 1
   std::vector<TriangleId> any_;                       // per vertex: a triangle around it
   std::vector<std::uint8_t> gone_;
   std::vector<VertexId> link_;  // scratch
 };
 
-}  // namespace thicken::simplifying
+}  // namespace thicken
