@@ -107,6 +107,25 @@ TEST(Reconstruct, IsRoundBelowEdgesOfTheirRadius) {
   EXPECT_LT(solid.report.shellErrorFullDepth.mean, 0.00015);
 }
 
+// Two sheets that face each other at less than twice the thickness: Definition 2 ends the solid between them,
+// where the sweep does, too.
+TEST(Auto, LeavesSheetsThatMeetHalfwayToTheSweep) {
+  TriangleMesh s = shapes::plane(12, 10), other = s;
+  for (Vec3& p : other.positions) p = {p.x(), 10 - p.y(), -1.2};
+  const auto first = static_cast<VertexId>(s.positions.size());
+  s.positions.insert(s.positions.end(), other.positions.begin(), other.positions.end());
+  for (const auto& [a, b, c] : other.triangles) s.triangles.push_back({first + a, first + b, first + c});
+  Options o;
+  o.thickness = 1;
+  o.simplify = Simplify::kOff;
+  const Solid made = thicken(s, o);
+  o.method = Method::kSweep;
+  const Solid swept = thicken(s, o);
+  EXPECT_LT(made.report.triangles, 1.2 * double(swept.report.triangles))
+      << "some where walls face each other";
+  EXPECT_NEAR(made.report.volume, 1.2 * 100, 0.01 * 120);
+}
+
 TEST(Auto, LeavesMitredCreasesToTheSweepAndMakesRoundOnes) {
   Options o;
   o.thickness = 0.8;

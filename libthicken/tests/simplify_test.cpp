@@ -10,10 +10,10 @@
 #include "analytic_surfaces.h"
 #include "check/audit.h"
 #include "mesh/float_lattice.h"
+#include "mesh/linked_mesh.h"
 #include "plain_shapes.h"
 #include "simplify/collapse.h"
 #include "simplify/edge_queue.h"
-#include "mesh/linked_mesh.h"
 #include "simplify/quadric.h"
 #include "thicken/thicken.h"
 
@@ -148,6 +148,33 @@ TEST(Simplify, LeavesWhatIsNotClosed) {
   const SimplifyFacts facts = simplify(solid, region, request, RunContext(), 1);
   EXPECT_EQ(solid.triangles, before.triangles);
   EXPECT_EQ(facts.before, facts.after);
+}
+
+// Of a cavity smaller than the error that is allowed any place is near enough.
+TEST(Simplify, TurnsNoSmallCavityInsideOut) {
+  const TriangleMesh s = plane(4, 10);
+  TriangleMesh solid = slab(s, 1);
+  const std::size_t outer = solid.triangles.size(), before = solid.positions.size();
+  const TriangleMesh cavity = sphere(3, 0.002);
+  for (const Vec3& p : cavity.positions) solid.positions.push_back(roundToFloat(Vec3(p + Vec3(5, 5, -0.5))));
+  for (const Triangle& t : cavity.triangles) {
+    Triangle turned{t[0], t[2], t[1]};
+    for (VertexId& v : turned) v += static_cast<VertexId>(before);
+    solid.triangles.push_back(turned);
+  }
+  std::vector<Region> region(solid.triangles.size(), Region::kShell);
+  std::fill_n(region.begin(), s.triangles.size(), Region::kOriginal);
+  const ClosestPointTree tree(s);
+  SimplifyRequest request{s, tree, 1, Side::kNegative, Join::kMitre, {}, Simplify::kShell};
+  (void)simplify(solid, region, request, RunContext(), 1);
+  double volume = 0;
+  for (const auto& [a, b, c] : solid.triangles) {
+    const Vec3 from(5, 5, -0.5);
+    const Vec3 p = solid.positions[a] - from, q = solid.positions[b] - from, r = solid.positions[c] - from;
+    if (std::max({p.norm(), q.norm(), r.norm()}) < 0.1) volume += p.dot(q.cross(r)) / 6;
+  }
+  EXPECT_LT(solid.triangles.size(), outer + cavity.triangles.size() / 4);
+  EXPECT_LT(volume, -0.4 * 4 / 3 * kPi * std::pow(0.002, 3));
 }
 
 TEST(Simplify, CanBeCancelled) {

@@ -177,6 +177,20 @@ void BoxTree::refit(std::span<const Vec3> positions, std::span<const Triangle> t
   if (!dirty.empty()) impl_->fitBelow(impl_->root(), dirty);
 }
 
+void BoxTree::drop(std::span<const TriangleId> triangles) {
+  std::vector<std::uint32_t> dirty;
+  for (const TriangleId t : triangles) {
+    const std::uint32_t slot = std::exchange(impl_->slot[t], kNobody);
+    if (slot == kNobody) continue;
+    Leaf& leaf = impl_->leaves[slot / kLeafSize];
+    leaf.id[slot % kLeafSize] = kNobody;
+    leaf.set(slot % kLeafSize, FloatBox::empty());
+    dirty.push_back(slot / kLeafSize);
+  }
+  sortUnique(dirty);
+  if (!dirty.empty()) impl_->fitBelow(impl_->root(), dirty);
+}
+
 std::vector<TrianglePair> BoxTree::meetingPairs(std::span<const Vec3> positions,
                                                 std::span<const Triangle> triangles,
                                                 std::span<const std::uint8_t> fixed,
@@ -236,10 +250,15 @@ std::vector<TriangleId> BoxTree::order() const {
 
 std::vector<TriangleId> BoxTree::near(const Vec3& low, const Vec3& high) const {
   std::vector<TriangleId> result;
-  if (impl_->leaves.empty()) return result;
-  impl_->visit(impl_->root(), boxOf(low, low, high), [&result](TriangleId t) { result.push_back(t); });
+  near(low, high, result);
   std::sort(result.begin(), result.end());
   return result;
+}
+
+void BoxTree::near(const Vec3& low, const Vec3& high, std::vector<TriangleId>& into) const {
+  into.clear();
+  if (impl_->leaves.empty()) return;
+  impl_->visit(impl_->root(), boxOf(low, low, high), [&into](TriangleId t) { into.push_back(t); });
 }
 
 }  // namespace thicken::exact

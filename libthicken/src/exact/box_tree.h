@@ -31,6 +31,9 @@ class BoxTree {
   void refit(std::span<const Vec3> positions, std::span<const Triangle> triangles,
              std::span<const TriangleId> moved);
 
+  /// Leaves triangles out from now on.
+  void drop(std::span<const TriangleId> triangles);
+
   /// All pairs of triangles that meet (exact::meet), sorted. `fixed[t] != 0` marks triangles known
   /// not to meet one another, such as those of a checked S: pairs of two fixed ones are skipped.
   /// Degenerate triangles are paired with nothing. Stops early (with at least one pair) once more
@@ -54,6 +57,8 @@ class BoxTree {
   /// The triangles whose boxes overlap the box from `low` to `high` (which may be infinite), among
   /// them all that reach into it, ascending.
   [[nodiscard]] std::vector<TriangleId> near(const Vec3& low, const Vec3& high) const;
+  /// The same in some order, in the place of what `into` holds.
+  void near(const Vec3& low, const Vec3& high, std::vector<TriangleId>& into) const;
 
  private:
   struct Impl;

@@ -22,13 +22,11 @@ class Fan {
  public:
   static constexpr std::size_t kMost = 24;  // triangles; larger fans are left to the tests of pairs
 
-  Fan(VertexId centre, std::span<const TriangleId> around, std::span<const Triangle> triangles)
-      : centre_(centre), count_(around.size()) {
-    for (std::size_t i = 0; i < count_; ++i) {
-      const Triangle& t = triangles[around[i]];
-      const int k = t[0] == centre ? 0 : t[1] == centre ? 1 : 2;
-      blades_[i] = {t[(k + 1) % 3], t[(k + 2) % 3]};
-    }
+  explicit Fan(VertexId centre) : centre_(centre) {}
+
+  void add(const Triangle& t) {
+    const int k = t[0] == centre_ ? 0 : t[1] == centre_ ? 1 : 2;
+    blades_[count_++] = {t[(k + 1) % 3], t[(k + 2) % 3]};
   }
 
   // Whether each blade ends where the next begins, and the last where the first does.
@@ -74,11 +72,18 @@ class Fan {
   }
 
   VertexId centre_;
-  std::size_t count_;
+  std::size_t count_ = 0;
   std::array<Blade, kMost> blades_;
 };
 
 }  // namespace
+
+bool isClearFan(std::span<const Vec3> positions, VertexId centre, std::span<const Triangle> triangles) {
+  if (triangles.size() < 3 || triangles.size() > Fan::kMost) return false;
+  Fan fan(centre);
+  for (const Triangle& t : triangles) fan.add(t);
+  return fan.isClosed() && fan.liesSideBySide(positions);
+}
 
 std::vector<std::uint8_t> clearFans(std::span<const Vec3> positions, std::span<const Triangle> triangles,
                                     std::span<const std::uint8_t> fixed, int threads) {
@@ -89,7 +94,8 @@ std::vector<std::uint8_t> clearFans(std::span<const Vec3> positions, std::span<c
     const std::span<const TriangleId> ids = around.of(v);
     if (ids.size() < 3 || ids.size() > Fan::kMost) return;
     if (!fixed.empty() && std::ranges::all_of(ids, [&](TriangleId t) { return fixed[t] != 0; })) return;
-    Fan fan(v, ids, triangles);
+    Fan fan(v);
+    for (const TriangleId t : ids) fan.add(triangles[t]);
     clear[i] = fan.isClosed() && fan.liesSideBySide(positions);
   });
   return clear;

@@ -20,4 +20,8 @@ namespace thicken::exact {
                                                   std::span<const Triangle> triangles,
                                                   std::span<const std::uint8_t> fixed, int threads);
 
+/// The same for the `triangles` around one vertex.
+[[nodiscard]] bool isClearFan(std::span<const Vec3> positions, VertexId centre,
+                              std::span<const Triangle> triangles);
+
 }  // namespace thicken::exact

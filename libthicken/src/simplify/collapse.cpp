@@ -7,10 +7,10 @@
 #include <limits>
 #include <utility>
 
+#include "exact/clear_fans.h"
 #include "exact/predicates.h"
 #include "exact/triangle_pair.h"
 #include "measure/error_bound.h"
-#include "measure/shell_samples.h"
 #include "mesh/float_lattice.h"
 
 namespace thicken::simplifying {
@@ -18,6 +18,10 @@ namespace thicken::simplifying {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+// Share of the volume of a part that it keeps at least. Parts thinner than the error that is allowed, such as
+// cavities, could turn inside out.
+constexpr double kLeastVolume = 0.5;
 
 // Triangles around a vertex, at most: more make exact tests slow and needles likely.
 constexpr std::size_t kMostAround = 24;
@@ -55,6 +59,18 @@ Collapse::Collapse(TriangleMesh& mesh, LinkedMesh& links, std::span<const Region
       boxes_(mesh.positions, mesh.triangles, threads),
       age_(mesh.positions.size(), 0) {
   countCreases();
+  const Components parts = componentsOf(mesh.positions.size(), mesh.triangles, threads);
+  part_ = parts.ofTriangle;
+  volume_.assign(parts.count, 0);
+  for (TriangleId t = 0; t < part_.size(); ++t) volume_[part_[t]] += volumeBelow(mesh.triangles[t]);
+  leastVolume_ = volume_;
+  for (double& least : leastVolume_) least *= kLeastVolume;
+}
+
+// Six times that between a triangle and the center.
+double Collapse::volumeBelow(const Triangle& t) const {
+  const auto [p, q, s] = cornersOf(t);
+  return (p - center_).dot((q - center_).cross(s - center_));
 }
 
 void Collapse::countCreases() {
@@ -163,13 +179,14 @@ bool Collapse::tryEdge(VertexId a, VertexId b) {
 void Collapse::gatherChanged(VertexId a, VertexId b) {
   changed_.clear();
   facing_ = {Vec3::Zero(), Vec3::Zero()};
-  oldAspect_ = 0;
+  oldAspect_ = volumeBefore_ = 0;
   anyLoose_ = false;
   allLoose_ = true;
   const auto take = [&](TriangleId t, bool isIn) {
     const auto [p, q, s] = cornersOf(mesh_.triangles[t]);
     const Vec3 normal = (q - p).cross(s - p);
     oldAspect_ = std::max(oldAspect_, aspectOf(p, q, s));
+    volumeBefore_ += volumeBelow(mesh_.triangles[t]);
     anyLoose_ |= targets_.isLoose[t] != 0;
     allLoose_ &= targets_.isLoose[t] != 0;  // walls always are
     facing_[region_[t] == Region::kWall] += normal;
@@ -192,7 +209,8 @@ bool Collapse::tryAt(VertexId keep, VertexId go, const Vec3& place, bool isNew) 
       if (v == go) v = keep;
   }
   const Vec3 old = std::exchange(mesh_.positions[keep], place);
-  if (areWellShaped() && coverTargets() && followDefinition(keep, isNew) && areClear() && areProved()) {
+  if (areWellShaped() && keepsVolume() && coverTargets() && followDefinition(keep, isNew) && areClear(keep) &&
+      areProved()) {
     apply(keep, go);
     return true;
   }
@@ -215,6 +233,14 @@ bool Collapse::areWellShaped() const {
     if (aspectOf(p, q, s) > most || exact::collinear(p, q, s)) return false;
   }
   return true;
+}
+
+bool Collapse::keepsVolume() {
+  change_ = -volumeBefore_;
+  for (const Changed& c : changed_) change_ += volumeBelow(c.corners);
+  const std::uint32_t part = part_[gone_[0]];
+  const double volume = volume_[part] + change_, least = leastVolume_[part];
+  return least > 0 ? volume >= least : volume <= least;
 }
 
 // Every target is near a triangle that takes the place of its own.
@@ -251,8 +277,9 @@ bool Collapse::coverTargets() {
   return true;
 }
 
-// The error at the new vertex and on the new triangles. Only where none of what was there follows the
-// definition, and beside walls, is what comes held by targets alone.
+// The error at the new vertex and in the middles of the new triangles; what is between them, targets hold.
+// Only where none of what was there follows the definition, and beside walls, is what comes held by targets
+// alone.
 bool Collapse::followDefinition(VertexId keep, bool isNew) {
   if (isNew) {
     const auto place = definition_.at(mesh_.positions[keep]);
@@ -261,33 +288,34 @@ bool Collapse::followDefinition(VertexId keep, bool isNew) {
   for (Changed& c : changed_) {
     c.isLoose = true;
     if (region_[c.id] == Region::kWall) continue;
-    const std::array<Vec3, 3> corner = cornersOf(c.corners);
-    const std::size_t samples = samplesOn(corner, limits_.r);
-    c.isLoose = samples == 0 && allLoose_;
-    for (std::size_t k = 0; k < samples; ++k) {
-      const auto& w = kShellSamples[k];
-      const auto place = definition_.at(w[0] * corner[0] + w[1] * corner[1] + w[2] * corner[2]);
-      const bool isOff = !place.isWall && (place.isLoose || std::abs(place.error) > limits_.error);
-      if (place.isWall ? !anyLoose_ : isOff && !allLoose_) return false;
-      c.isLoose |= place.isWall || isOff;
-    }
+    const auto [p, q, s] = cornersOf(c.corners);
+    c.isLoose = allLoose_;
+    if (!isLookedAt({p, q, s}, limits_.r)) continue;
+    const auto place = definition_.at((p + q + s) / 3);
+    const bool isOff = !place.isWall && (place.isLoose || std::abs(place.error) > limits_.error);
+    if (place.isWall ? !anyLoose_ : isOff && !allLoose_) return false;
+    c.isLoose = place.isWall || isOff;
   }
   return true;
 }
 
 // Exact: no two of the new triangles meet, nor one of them another.
-bool Collapse::areClear() {
+bool Collapse::areClear(VertexId keep) {
   bounds_.clear();
   Bounds all;
   for (const Changed& c : changed_) {
     bounds_.push_back(boundsOf(cornersOf(c.corners)));
     all.add(bounds_.back());
   }
-  for (std::size_t i = 0; i < changed_.size(); ++i)
-    for (std::size_t j = i + 1; j < changed_.size(); ++j)
-      if (exact::meet(mesh_.positions, changed_[i].corners, changed_[j].corners)) return false;
-  for (const TriangleId t : boxes_.near(all.low, all.high)) {
-    if (links_.isGone(t) || t == gone_[0] || t == gone_[1]) continue;
+  fan_.clear();
+  for (const Changed& c : changed_) fan_.push_back(c.corners);
+  if (!exact::isClearFan(mesh_.positions, keep, fan_))
+    for (std::size_t i = 0; i < changed_.size(); ++i)
+      for (std::size_t j = i + 1; j < changed_.size(); ++j)
+        if (exact::meet(mesh_.positions, fan_[i], fan_[j])) return false;
+  boxes_.near(all.low, all.high, near_);
+  for (const TriangleId t : near_) {
+    if (t == gone_[0] || t == gone_[1]) continue;
     if (std::ranges::any_of(changed_, [t](const Changed& c) { return c.id == t; })) continue;
     const Bounds own = boundsOf(cornersOf(mesh_.triangles[t]));
     for (std::size_t i = 0; i < changed_.size(); ++i)
@@ -313,7 +341,7 @@ bool Collapse::areProved() const {
 void Collapse::apply(VertexId keep, VertexId go) {
   links_.collapse(keep, go, go == edge_[0] ? starA_ : starB_);
   for (const TriangleId t : gone_) targets_.first[t] = ShellTargets::kEnd;
-  std::vector<TriangleId> moved(gone_.begin(), gone_.end());
+  std::vector<TriangleId> moved;
   for (const Changed& c : changed_) {
     targets_.first[c.id] = ShellTargets::kEnd;
     targets_.isLoose[c.id] = c.isLoose;
@@ -324,7 +352,9 @@ void Collapse::apply(VertexId keep, VertexId go) {
     targets_.targets[m.target].next = std::exchange(first, m.target);
   }
   targets_.quadric[keep] += targets_.quadric[go];
+  volume_[part_[gone_[0]]] += change_;
   largest_ = std::max(largest_, std::sqrt(farthest_));
+  boxes_.drop(gone_);
   boxes_.refit(mesh_.positions, mesh_.triangles, moved);
   ++age_[keep];
   ++age_[go];

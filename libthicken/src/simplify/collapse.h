@@ -63,12 +63,14 @@ class Collapse {
   void push(VertexId a, VertexId b, TriangleId left, TriangleId right);
   [[nodiscard]] bool isRemovable(VertexId v, bool alongCrease) const;
   bool tryEdge(VertexId a, VertexId b);
+  [[nodiscard]] double volumeBelow(const Triangle& t) const;
   bool tryAt(VertexId keep, VertexId go, const Vec3& place, bool isNew);
   void gatherChanged(VertexId a, VertexId b);
   [[nodiscard]] bool areWellShaped() const;
+  [[nodiscard]] bool keepsVolume();
   [[nodiscard]] bool coverTargets();
   [[nodiscard]] bool followDefinition(VertexId keep, bool isNew);
-  [[nodiscard]] bool areClear();
+  [[nodiscard]] bool areClear(VertexId keep);
   [[nodiscard]] bool areProved() const;
   void apply(VertexId keep, VertexId go);
 
@@ -92,6 +94,8 @@ class Collapse {
   std::vector<std::uint32_t> block_;   // per vertex: edges within one are collapsed
   EdgeQueue queue_;
   double largest_ = 0;
+  std::vector<std::uint32_t> part_;           // per triangle: the part of the boundary that it belongs to
+  std::vector<double> volume_, leastVolume_;  // per part: six times its signed volume, mm³
   // Of the collapse that is tried:
   std::array<VertexId, 2> edge_{};
   std::array<TriangleId, 2> gone_{};
@@ -99,6 +103,7 @@ class Collapse {
   std::vector<Changed> changed_;
   std::array<Vec3, 2> facing_;  // sum of the normals of the shell's triangles, and of the wall's
   double oldAspect_ = 0;
+  double volumeBefore_ = 0, change_ = 0;
   bool anyLoose_ = false, allLoose_ = false;
   struct Move {
     std::uint32_t target, to;
@@ -106,6 +111,8 @@ class Collapse {
   std::vector<Move> moves_;
   std::vector<PreparedTriangle> prepared_;  // changed_, and their bounds
   std::vector<Bounds> bounds_;
+  std::vector<Triangle> fan_;
+  std::vector<TriangleId> near_;
   double farthest_ = 0;
 };
 

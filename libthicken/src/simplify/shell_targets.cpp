@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "measure/measure.h"
-#include "measure/shell_samples.h"
 #include "mesh/normals.h"
 #include "parallel_for.h"
 
@@ -121,10 +120,9 @@ Place ShellDefinition::at(const Vec3& p) const {
   return place;
 }
 
-std::size_t samplesOn(const Corners& corner, double r) {
+bool isLookedAt(const Corners& corner, double r) {
   // A chord of a fifth across a round join is off by half a percent of r.
-  const double longest = longestEdge(corner);
-  return longest > r / 2 ? kMostShellSamples : longest > r / 5 ? 1 : 0;
+  return longestEdge(corner) > r / 5;
 }
 
 ShellTargets shellTargets(const TriangleMesh& solid, std::span<const Region> region,

@@ -49,9 +49,8 @@ class ShellDefinition {
   Join join_;
 };
 
-/// Points where the error of a triangle is looked at, of kShellSamples: more on a large one, none on one that
-/// its corners tell all about.
-[[nodiscard]] std::size_t samplesOn(const std::array<Vec3, 3>& corner, double r);
+/// Whether the error of a triangle is looked at, in its middle: its corners do not tell all about it.
+[[nodiscard]] bool isLookedAt(const std::array<Vec3, 3>& corner, double r);
 
 struct ShellTargets {
   static constexpr std::uint32_t kEnd = 0xffffffffu;
