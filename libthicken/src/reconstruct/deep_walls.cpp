@@ -5,6 +5,7 @@
 
 #include "exact/box_tree.h"
 #include "exact/predicates.h"
+#include "mesh/bounds.h"
 #include "mesh/float_lattice.h"
 #include "mesh/sort_unique.h"
 #include "parallel_for.h"
@@ -159,22 +160,51 @@ bool DeepWalls::lift(std::span<const VertexId> vertices, double step) {
   return at_ != before;
 }
 
+// The walls, and what else is kept that they may come near at any depth. The first are as many as told.
+std::pair<std::vector<Triangle>, std::size_t> DeepWalls::nearWalls(std::span<const std::uint8_t> keep) const {
+  std::vector<Triangle> near, others;
+  std::vector<Triangle> reach;  // of each wall, with where its lower vertices hang
+  for (TriangleId t = 0; t < keep.size(); ++t) {
+    // The walls are clear of S since the first fit.
+    if (!keep[t] || (fitted_ && swept_.region[t] == Region::kOriginal)) continue;
+    const Triangle& corners = swept_.mesh.triangles[t];
+    if (swept_.region[t] != Region::kWall) {
+      others.push_back(corners);
+      continue;
+    }
+    near.push_back(corners);
+    reach.push_back(corners);
+    for (int k = 0; k < 3; ++k)
+      if (const VertexId v = corners[k]; base_[v] != kNone)
+        reach.push_back({v, base_[v], corners[(k + 1) % 3]});
+  }
+  const std::size_t walls = near.size();
+  const exact::BoxTree tree(at_, reach, threads_);
+  std::vector<std::uint8_t> isNear(others.size(), 0);
+  parallelFor(others.size(), threads_, context_, 1024, [&](std::size_t i) {
+    Bounds own;
+    for (const VertexId v : others[i]) own.add(at_[v]);
+    isNear[i] = !tree.near(own.low, own.high).empty();
+  });
+  for (std::size_t i = 0; i < others.size(); ++i)
+    if (isNear[i]) near.push_back(others[i]);
+  return {std::move(near), walls};
+}
+
 void DeepWalls::fit(std::span<const std::uint8_t> keep) {
   if (low_.empty()) return;
-  std::vector<Triangle> triangles;
-  std::vector<std::uint8_t> fixed;
-  // The walls are clear of S since the first fit; pieces of shell are, since the sweep.
   for (std::size_t t = 0; t < keep.size(); ++t) {
-    if (!keep[t] || (fitted_ && swept_.region[t] == Region::kOriginal)) continue;
-    triangles.push_back(swept_.mesh.triangles[t]);
-    fixed.push_back(swept_.region[t] == Region::kOriginal);
-    if (swept_.region[t] != Region::kShell) continue;
+    if (!keep[t] || swept_.region[t] != Region::kShell) continue;
     for (const VertexId v : swept_.mesh.triangles[t])
       if (base_[v] != kNone) {
         share_[v] = 0;
         place(v);
       }
   }
+  // All but the walls is clear of each other since the sweep.
+  const auto [triangles, walls] = nearWalls(keep);
+  std::vector<std::uint8_t> fixed(triangles.size(), 1);
+  std::fill_n(fixed.begin(), walls, std::uint8_t{0});
   for (int round = 0; round <= kHalvings; ++round) {
     const exact::BoxTree tree(at_, triangles, threads_);
     std::vector<TriangleId> bad;
@@ -182,8 +212,8 @@ void DeepWalls::fit(std::span<const std::uint8_t> keep) {
       bad.push_back(a);
       bad.push_back(b);
     }
-    for (TriangleId t = 0; t < triangles.size(); ++t)
-      if (!fixed[t] && exact::collinear(at_[triangles[t][0]], at_[triangles[t][1]], at_[triangles[t][2]]))
+    for (TriangleId t = 0; t < walls; ++t)
+      if (exact::collinear(at_[triangles[t][0]], at_[triangles[t][1]], at_[triangles[t][2]]))
         bad.push_back(t);
     if (bad.empty()) {
       fitted_ = true;

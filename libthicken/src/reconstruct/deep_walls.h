@@ -4,7 +4,9 @@
 // the sake of the shell beside it, which the contour replaces.
 #pragma once
 
+#include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "reconstruct/carrier.h"
@@ -33,6 +35,8 @@ class DeepWalls {
 
  private:
   [[nodiscard]] double deepest(VertexId low, VertexId base) const;
+  [[nodiscard]] std::pair<std::vector<Triangle>, std::size_t> nearWalls(
+      std::span<const std::uint8_t> keep) const;
   void listBottom();
   void limitSlope();
   void shorten();
