@@ -39,12 +39,15 @@ class Closer {
     windows_ = windowsOf(surface_, holes_, options_.thickness, task_.width, threads_);
     outcomes_.resize(windows_.size());
     closeEach();
-    for (const double times : {kWider, kAll}) {
+    for (double times = kWider;; times = kAll) {
       const std::vector<Bounds> narrow = zonesWhere([](const Outcome& o) { return o.isTooNarrow; });
       const std::vector<Bounds> stuck = zonesWhere([](const Outcome& o) { return !o.made; });
       if (narrow.empty() || (task_.meetingIn && (times == kAll || narrow.size() < stuck.size()))) break;
       widen({narrow, times});
+      // A window with all of the boundary would only be made once more.
+      if (!task_.meetingIn && times < kAll && hasAllInOne()) widen({narrow, times = kAll});
       closeEach();
+      if (times == kAll) break;
     }
     InWindows in;
     in.stuck = zonesWhere([](const Outcome& o) { return !o.made; });
@@ -60,6 +63,11 @@ class Closer {
     for (std::size_t i = 0; i < windows_.size(); ++i)
       if (is(outcomes_[i])) zones.push_back(windows_[i].zone);
     return zones;
+  }
+
+  [[nodiscard]] bool hasAllInOne() const {
+    return std::ranges::any_of(
+        windows_, [this](const Window& window) { return window.source.size() == holes_.keep.size(); });
   }
 
   void closeEach() {
