@@ -18,6 +18,7 @@
 #include "parallel_for.h"
 #include "plan.h"
 #include "platform/memory.h"
+#include "reconstruct/cells.h"
 #include "reconstruct/reconstruct.h"
 #include "reconstruct/shell_plan.h"
 #include "repair/folds.h"

@@ -10,6 +10,7 @@
 
 #include "analytic_surfaces.h"
 #include "plain_shapes.h"
+#include "reconstruct/cells.h"
 #include "reconstruct/cut_around.h"
 #include "reconstruct/diagonals.h"
 #include "reconstruct/loose_parts.h"

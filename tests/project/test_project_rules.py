@@ -21,7 +21,40 @@ def offenders(files: list[Path], pattern: str) -> list[str]:
     return [str(f.relative_to(PROJECT)) for f in files if re.search(pattern, f.read_text(), re.MULTILINE)]
 
 
+def cycles(graph: dict[str, set[str]]) -> list[str]:
+    """Those nodes of a graph from which a way leads back to them."""
+
+    def reachable(start: str) -> set[str]:
+        seen: set[str] = set()
+        waiting = list(graph[start])
+        while waiting:
+            node = waiting.pop()
+            if node not in seen:
+                seen.add(node)
+                waiting += graph.get(node, ())
+        return seen
+
+    return sorted(node for node in graph if node in reachable(node))
+
+
 class Rules(unittest.TestCase):
+    def test_no_units_of_the_library_include_each_other(self):
+        """A unit is a header with its source; what is inline for speed has a header of its own, which belongs to it."""
+        root = PROJECT / "libthicken/src"
+        files = [f for f in root.rglob("*") if f.suffix in (".h", ".cpp")]
+
+        def unit(name: str) -> str:
+            return re.sub(r"(_inline)?\.(h|cpp)$", "", name)
+
+        graph: dict[str, set[str]] = {unit(str(f.relative_to(root))): set() for f in files}
+        self.assertGreater(len(graph), 100)
+        for f in files:
+            own = unit(str(f.relative_to(root)))
+            included = {unit(name) for name in re.findall(r'^#include "(.+)"', f.read_text(), re.MULTILINE)}
+            graph[own] |= {name for name in included if name in graph and name != own}
+        self.assertEqual(cycles(graph), [])
+        self.assertEqual(cycles({"a": {"b"}, "b": {"c"}, "c": {"b"}}), ["b", "c"])
+
     def test_every_source_names_the_licence_first(self):
         files = sources(*FOLDERS) + [f for f in (PROJECT / "scripts").iterdir() if f.is_file()]
         self.assertGreater(len(files), 50)

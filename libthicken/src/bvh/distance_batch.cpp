@@ -6,8 +6,8 @@
 #include <bit>
 #include <cmath>
 
-#include "bvh/distance_bounds.h"
 #include "bvh/distance_tree.h"
+#include "bvh/distance_tree_inline.h"
 
 namespace thicken {
 

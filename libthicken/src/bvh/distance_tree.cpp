@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "bvh/distance_bounds.h"
+#include "bvh/distance_tree_inline.h"
 #include "bvh/triangle_gap.h"
 
 namespace thicken {

@@ -6,15 +6,13 @@
 
 #include <memory>
 #include <span>
-#include <utility>
 #include <vector>
 
+#include "exact/triangle_pair.h"
 #include "thicken/mesh.h"
 #include "thicken/run_context.h"
 
 namespace thicken::exact {
-
-using TrianglePair = std::pair<TriangleId, TriangleId>;  ///< first < second
 
 class BoxTree {
  public:

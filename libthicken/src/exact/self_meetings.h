@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "exact/box_order.h"
-#include "exact/box_tree.h"
 #include "exact/float_box.h"
 #include "exact/four_boxes.h"
 #include "exact/predicates.h"
 #include "exact/triangle_pair.h"
+#include "thicken/run_context.h"
 
 namespace thicken::exact {
 

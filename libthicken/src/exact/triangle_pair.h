@@ -4,10 +4,13 @@
 #pragma once
 
 #include <span>
+#include <utility>
 
 #include "thicken/mesh.h"
 
 namespace thicken::exact {
+
+using TrianglePair = std::pair<TriangleId, TriangleId>;  ///< first < second
 
 /// Whether triangles `a` and `b` (neither of them degenerate) have a point in common other than
 /// shared vertices and a shared edge; vertices are shared by index. Touching counts. Triangles with

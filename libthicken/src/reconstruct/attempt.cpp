@@ -9,10 +9,10 @@
 #include "mesh/half_edges.h"
 #include "mesh/sort_unique.h"
 #include "platform/memory.h"
+#include "reconstruct/cells.h"
 #include "reconstruct/covered.h"
 #include "reconstruct/diagonals.h"
 #include "reconstruct/loose_parts.h"
-#include "reconstruct/reconstruct.h"
 #include "reconstruct/shape.h"
 #include "reconstruct/strip_region.h"
 

@@ -7,7 +7,7 @@
 #include "measure/measure.h"
 #include "mesh/bounds.h"
 #include "reconstruct/carrier.h"
-#include "reconstruct/reconstruct.h"
+#include "reconstruct/cells.h"
 #include "reconstruct/shell_plan.h"
 
 namespace thicken {

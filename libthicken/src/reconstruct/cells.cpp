@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "reconstruct/cells.h"
+
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
@@ -10,7 +12,6 @@
 #include "field/uniform_grid.h"
 #include "mesh/bounds.h"
 #include "mesh/normals.h"
-#include "reconstruct/reconstruct.h"
 #include "thicken/error.h"
 
 namespace thicken {

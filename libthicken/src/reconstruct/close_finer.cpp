@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "reconstruct/cells.h"
 #include "reconstruct/holes.h"
 #include "reconstruct/in_windows.h"
 
@@ -24,7 +25,8 @@ std::vector<TriangleId> meetingIn(const Assembly& assembly, std::span<const Tria
 
 Closing closedFiner(const TriangleMesh& surface, const SweepResult& swept, const ContourTask& task,
                     const Attempt& attempt, std::span<const TriangleId> meeting, std::vector<Bounds>& givenUp,
-                    const Options& options, const RunContext& context, int threads, Stopwatch& watch) {
+                    Complete& complete, const Options& options, const RunContext& context, int threads,
+                    Stopwatch& watch) {
   constexpr double kFiner = 0.5;
   constexpr std::size_t kCarriedBytes = 700;  // for each triangle of the carrier beyond S
   constexpr int kMostTimes = 5;
@@ -35,6 +37,7 @@ Closing closedFiner(const TriangleMesh& surface, const SweepResult& swept, const
   const bool isHopeless = task.refined > 0 && double(meeting.size()) > kGrowth * double(task.meeting);
   if (task.refined == kMostTimes || isHopeless) return closing;
   WindowTask finer;
+  finer.complete = &complete;
   finer.held =
       heldBytes(surface) + kCarriedBytes * (assembly.mesh.triangles.size() - surface.triangles.size());
   if (const std::size_t limit = context.memoryLimit(); limit != 0 && finer.held > limit) return closing;

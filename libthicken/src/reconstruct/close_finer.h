@@ -9,7 +9,7 @@
 
 #include "mesh/bounds.h"
 #include "reconstruct/attempt.h"
-#include "reconstruct/complete.h"
+#include "reconstruct/contour_task.h"
 
 namespace thicken {
 
@@ -25,7 +25,7 @@ struct Closing {
 [[nodiscard]] Closing closedFiner(const TriangleMesh& surface, const SweepResult& swept,
                                   const ContourTask& task, const Attempt& attempt,
                                   std::span<const TriangleId> meeting, std::vector<Bounds>& givenUp,
-                                  const Options& options, const RunContext& context, int threads,
-                                  Stopwatch& watch);
+                                  Complete& complete, const Options& options, const RunContext& context,
+                                  int threads, Stopwatch& watch);
 
 }  // namespace thicken

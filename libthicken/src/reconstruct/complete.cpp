@@ -12,6 +12,7 @@
 #include "measure/measure.h"
 #include "reconstruct/attempt.h"
 #include "reconstruct/carrier_shell.h"
+#include "reconstruct/cells.h"
 #include "reconstruct/close_finer.h"
 #include "reconstruct/depths.h"
 #include "reconstruct/drop_unused.h"
@@ -157,8 +158,8 @@ class Completion {
   // What meets in finer cells, where the allowance is not spent.
   Closing madeFiner(const std::vector<TriangleId>& meeting) {
     if (spent_) return {std::nullopt, meeting};
-    Closing closing = closedFiner(surface_, swept_, task_, attempt_, meeting, givenUp_, options_, context_,
-                                  threads_, watch_);
+    Closing closing = closedFiner(surface_, swept_, task_, attempt_, meeting, givenUp_, complete, options_,
+                                  context_, threads_, watch_);
     if (closing.made) closing.made = told(closed(*std::move(closing.made)));
     return closing;
   }

@@ -6,28 +6,9 @@
 
 #include <optional>
 
-#include "reconstruct/cut.h"
-#include "reconstruct/reconstruct.h"
-#include "reconstruct/working_set.h"
+#include "reconstruct/contour_task.h"
 
 namespace thicken {
-
-/// What is to be contoured below a carrier.
-struct ContourTask {
-  std::vector<std::uint8_t> keep;        ///< per triangle of the sweep: part of the carrier
-  double area = 0;                       ///< of the rest, mm²
-  double width = 0;                      ///< of the cells, mm
-  std::size_t crossings = 0;             ///< that it makes at most
-  WorkingSet working;                    ///< for so many
-  bool mayKeepShell = false;             ///< whether the carrier may be given more of the sweep's shell
-  std::vector<std::uint8_t> openable{};  ///< per triangle of the sweep: may be given over; empty: its shell
-  std::vector<std::uint8_t> left{};  ///< per triangle of the sweep: kept for want of better where it is kept;
-                                     ///< empty: where `keep` does not have it
-  int refined = 0;                   ///< times that finer cells were taken
-  std::size_t meeting = 0;           ///< triangles that met before they were
-  std::optional<Cut> cut{};          ///< where the sweep is a window of a boundary
-  std::size_t* allowance = nullptr;  ///< what attempts at a boundary may cost yet, in triangles; null: any
-};
 
 /// The solid of a carrier that is `task.keep` of `swept`; nullopt where it would need more of the sweep's
 /// shell and must not have it. Throws kNoSolid where not even the whole sweep is clear of itself, kCancelled.

@@ -7,7 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "reconstruct/reconstruct.h"
+#include "reconstruct/reconstruction.h"
+#include "sweep/sweep.h"
+#include "thicken/closest_point.h"
 
 namespace thicken {
 

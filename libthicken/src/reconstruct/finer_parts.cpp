@@ -7,6 +7,8 @@
 #include "measure/error_bound.h"
 #include "measure/stopwatch.h"
 #include "parallel_for.h"
+#include "reconstruct/cells.h"
+#include "reconstruct/complete.h"
 #include "reconstruct/cut_around.h"
 #include "reconstruct/depths.h"
 #include "reconstruct/in_windows.h"
@@ -114,6 +116,7 @@ class Refiner {
     cutAround(made.mesh, parts.triangles, holes.openable, kRings, holes.keep);
     if (!isAllowed_(parts.width, openArea(holes.carried, holes.keep))) return std::nullopt;
     WindowTask task;
+    task.complete = &complete;
     task.width = parts.width;
     task.mayKeepShell = parts.mayKeepShell;
     task.held = heldBytes(surface_);

@@ -6,7 +6,9 @@
 #include <functional>
 
 #include "reconstruct/in_windows.h"
-#include "reconstruct/reconstruct.h"
+#include "reconstruct/reconstruction.h"
+#include "thicken/closest_point.h"
+#include "thicken/options.h"
 
 namespace thicken {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "reconstruct/attempt.h"
-#include "reconstruct/complete.h"
+#include "reconstruct/contour_task.h"
 #include "reconstruct/window.h"
 
 namespace thicken {

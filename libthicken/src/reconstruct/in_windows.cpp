@@ -7,6 +7,7 @@
 #include "field/uniform_grid.h"
 #include "measure/stopwatch.h"
 #include "parallel_for.h"
+#include "reconstruct/cells.h"
 #include "thicken/error.h"
 
 namespace thicken {
@@ -119,8 +120,8 @@ class Closer {
     try {
       requireCells(window.surface, options_.thickness, task.width);
       const ClosestPointTree tree(window.surface, threads);
-      auto made = complete(window.surface, tree, window.part.carried, std::move(task), options_, context_,
-                           threads, watch);
+      auto made = task_.complete(window.surface, tree, window.part.carried, std::move(task), options_,
+                                 context_, threads, watch);
       if (made && !staysWithin(window, *made)) return {std::nullopt, true, true};
       return {std::move(made), true, false};
     } catch (const LeavesWindow&) {

@@ -8,13 +8,14 @@
 #include <vector>
 
 #include "mesh/bounds.h"
-#include "reconstruct/complete.h"
+#include "reconstruct/contour_task.h"
 #include "reconstruct/window.h"
 
 namespace thicken {
 
 /// How the holes of a boundary are to be closed.
 struct WindowTask {
+  Complete* complete = nullptr;      ///< what closes the hole of a window
   double width = 0;                  ///< of the cells, mm
   bool mayKeepShell = false;         ///< ContourTask
   int refined = 0;                   ///< ContourTask

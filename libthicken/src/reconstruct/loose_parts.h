@@ -4,7 +4,8 @@
 #pragma once
 
 #include "reconstruct/assembly.h"
-#include "reconstruct/reconstruct.h"
+#include "reconstruct/reconstruction.h"
+#include "thicken/run_context.h"
 
 namespace thicken {
 

@@ -6,7 +6,7 @@
 
 #include "measure/measure.h"
 #include "measure/stopwatch.h"
-#include "reconstruct/close_finer.h"
+#include "reconstruct/cells.h"
 #include "reconstruct/complete.h"
 #include "reconstruct/depths.h"
 #include "reconstruct/finer_parts.h"
@@ -103,6 +103,7 @@ std::optional<Reconstruction> deepen(const TriangleMesh& surface, const ClosestP
     holes.left.push_back(plan.keep[t] == 0);
   }
   WindowTask task;
+  task.complete = &complete;
   task.width = plan.width;
   task.mayKeepShell = true;
   task.anyArea = true;

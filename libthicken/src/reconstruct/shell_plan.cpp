@@ -15,7 +15,7 @@
 #include "mesh/normals.h"
 #include "mesh/topology.h"
 #include "parallel_for.h"
-#include "reconstruct/reconstruct.h"
+#include "reconstruct/cells.h"
 
 namespace thicken {
 

@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "reconstruct/cut.h"
-#include "reconstruct/reconstruct.h"
+#include "reconstruct/reconstruction.h"
+#include "sweep/sweep.h"
+#include "thicken/closest_point.h"
 
 namespace thicken {
 

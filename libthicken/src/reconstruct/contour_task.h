@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "reconstruct/cut.h"
+#include "reconstruct/reconstruction.h"
+#include "reconstruct/working_set.h"
+#include "sweep/sweep.h"
+#include "thicken/closest_point.h"
+#include "thicken/options.h"
+
+namespace thicken {
+
+class Stopwatch;
+
+/// What is to be contoured below a carrier.
+struct ContourTask {
+  std::vector<std::uint8_t> keep;        ///< per triangle of the sweep: part of the carrier
+  double area = 0;                       ///< of the rest, mm²
+  double width = 0;                      ///< of the cells, mm
+  std::size_t crossings = 0;             ///< that it makes at most
+  WorkingSet working;                    ///< for so many
+  bool mayKeepShell = false;             ///< whether the carrier may be given more of the sweep's shell
+  std::vector<std::uint8_t> openable{};  ///< per triangle of the sweep: may be given over; empty: its shell
+  std::vector<std::uint8_t> left{};  ///< per triangle of the sweep: kept for want of better where it is kept;
+                                     ///< empty: where `keep` does not have it
+  int refined = 0;                   ///< times that finer cells were taken
+  std::size_t meeting = 0;           ///< triangles that met before they were
+  std::optional<Cut> cut{};          ///< where the sweep is a window of a boundary
+  std::size_t* allowance = nullptr;  ///< what attempts at a boundary may cost yet, in triangles; null: any
+};
+
+/// How a task is completed: complete() does. What is completed in parts is given it.
+using Complete = std::optional<Reconstruction>(const TriangleMesh& surface, const ClosestPointTree& tree,
+                                               const SweepResult& swept, ContourTask task,
+                                               const Options& options, const RunContext& context, int threads,
+                                               Stopwatch& watch);
+
+}  // namespace thicken
