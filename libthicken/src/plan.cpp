@@ -100,7 +100,7 @@ double predictedCrossings(const SurfaceFacts& surface, const Options& options) {
   constexpr double kUsualShare = 0.02;
   constexpr double kMostCells = 6e5;
   const double r = options.thickness;
-  double width = std::clamp(std::sqrt(surface.area / kMostCells), r / (isWhole ? 6 : 3.0), r / 2.2);
+  double width = std::clamp(std::sqrt(surface.area / kMostCells), r / (isWhole ? 6 : 3.25), r / 2.2);
   // A tolerance takes up to four times as many cells.
   if (options.tolerance) width = std::clamp(std::sqrt(3 * *options.tolerance * r), width / 2, width);
   if (options.cell) width = *options.cell;
