@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "check/audit.h"
+#include "invariants.h"
 #include "measure/error_bound.h"
 #include "measure/measure.h"
 #include "measure/offset_error.h"
@@ -189,11 +190,13 @@ Solid reconstructedSolid(Reconstruction made, Method method, const SurfaceFacts&
 // Whether the sweep, which needs no field, is the answer when the contour fails so.
 bool leavesTheSweep(const Error& e) {
   return e.code() == ErrorCode::kNoSolid || e.code() == ErrorCode::kMemoryLimit ||
-         e.code() == ErrorCode::kInternal;
+         (e.code() == ErrorCode::kInternal && !violationsEndRuns);
 }
 
-// What the report says where the sweep stands for all of a contour.
+// What the report says where the sweep stands for all of a contour that failed in a `stage`.
 Fallback fallbackFor(const Error& e, std::string stage, const TriangleMesh& surface) {
+  if (e.code() == ErrorCode::kMemoryLimit) stage = "memory";
+  if (e.code() == ErrorCode::kInternal) stage = "internal";
   Fallback fallback{std::move(stage), e.what(), Vec3::Zero(), areaOf(surface)};
   if (!e.defects().empty()) fallback.place = e.defects().front().place;
   fallback.enoughMemory = e.enoughMemory();
@@ -215,8 +218,7 @@ void makeBetter(Made& made, const TriangleMesh& surface, Make make) {
     made.better = make();
   } catch (const Error& e) {
     if (!leavesTheSweep(e)) throw;
-    made.fallbacks.push_back(
-        fallbackFor(e, e.code() == ErrorCode::kMemoryLimit ? "memory" : "contour", surface));
+    made.fallbacks.push_back(fallbackFor(e, "contour", surface));
   }
 }
 

@@ -36,6 +36,18 @@ TriangleMesh bump() {
   return mesh;
 }
 
+TEST(Warnings, TellOfABrokenRule) {
+  Report report;
+  report.thickness = report.thinnestWall = 1;
+  addWarnings(report);
+  EXPECT_TRUE(report.warnings.empty());
+  report.fallbacks = {{"contour", "no", Vec3::Zero(), 1},
+                      {"internal", "crossings do not cancel", Vec3::Zero(), 1}};
+  addWarnings(report);
+  ASSERT_EQ(report.warnings.size(), 1u);
+  EXPECT_TRUE(warnsOf(report, "crossings do not cancel"));
+}
+
 TEST(Percent, IsNeverNothingForWhatIsSomething) {
   EXPECT_EQ(percentText(0), "0 %");
   EXPECT_EQ(percentText(1e-9), "less than 0.01 %");

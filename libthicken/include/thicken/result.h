@@ -48,7 +48,8 @@ struct AuditFacts {
 /// A place where the contour was to make the shell and did not: the sweep's own shell is there, which is
 /// valid and may be thinner than asked.
 struct Fallback {
-  std::string stage;   ///< "contour": could not be joined there; "audit": did not pass; "memory": no room
+  std::string stage;   ///< "contour": could not be joined there; "audit": did not pass; "memory": no room;
+                       ///< "internal": a rule of the library's own was broken
   std::string reason;  ///< a complete sentence
   Vec3 place = Vec3::Zero();     ///< mm, in the middle of it
   double area = 0;               ///< mm² of the shell

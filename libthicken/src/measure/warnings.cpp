@@ -52,6 +52,15 @@ void addThinThrough(Report& report) {
                   report.thinnestThrough, text(report.thinnestThroughPlace)));
 }
 
+void addViolations(Report& report) {
+  for (const Fallback& f : report.fallbacks)
+    if (f.stage == "internal")
+      report.warnings.push_back(fmt::format(
+          "the solid is the sweep's, since a rule that the program relies on was broken ({}); please "
+          "report this with the surface",
+          f.reason));
+}
+
 void addParts(Report& report) {
   if (report.parts < 2) return;
   std::string crumbs;
@@ -93,6 +102,7 @@ void addWarnings(Report& report) {
   addThinPlaces(report);
   addThinThrough(report);
   addParts(report);
+  addViolations(report);
 }
 
 }  // namespace thicken
