@@ -66,6 +66,12 @@ class Night(BatchCase):
         row = next(r for r in self.rows if r["file"] == "large.ply" and r["thickness"] == "8")
         self.assertEqual((row["status"], row["runs"]), ("ok", "2"))
 
+    def test_neighbours_are_in_different_jobs(self):
+        """They take alike long: so all jobs take about as long, and no core waits for the last one."""
+        made = {(r["file"], r["thickness"]): r["solid"] for r in self.rows if r["solid"]}
+        jobs = {f"{part[-1]}.stl": path for path in (self.out / "jobs").glob("0*.json") for part in read_json(path)["parts"]}
+        self.assertNotEqual(jobs[made["wave 0.off", "0.3"]], jobs[made["wave 0.off", "0.5"]])
+
     def test_names_are_told_apart(self):
         made = {r["solid"] for r in self.rows if r["solid"]}
         self.assertEqual(len(made), 39, "one row is there twice")

@@ -11,7 +11,7 @@ import ThickenWorkbench
 from ThickenWorkbench import native
 from ThickenWorkbench.gui import editing
 from ThickenWorkbench.gui.region_colours import painted
-from ThickenWorkbench.gui.repair_marks import ADDED, REMOVED, marks
+from ThickenWorkbench.gui.repair_marks import ADDED, REMOVED, WELDED, marks
 from ThickenWorkbench.repair_feature import repair_step
 from ThickenWorkbench.sources import surface_arrays
 from gui_case import GuiCase, process_events, wait_until
@@ -133,7 +133,12 @@ class EditedAgain(GuiCase):
         vertices, triangles = plate()
         holed = np.delete(triangles, [45, 145], 0)
         crossing, others = crossing_plates()
-        surface = together((vertices, holed), (crossing + np.float32([40, 0, 0]), others))
+        panel_beside, other_corners = plate(n=13)
+        surface = together(
+            (vertices, holed),
+            (panel_beside - np.float32([20.2, 0, 0]), other_corners),
+            (crossing + np.float32([40, 0, 0]), others),
+        )
         repaired = ThickenWorkbench.make_repair(self.doc, self.add_mesh(surface))
         before = repaired.ViewObject.RootNode.getNumChildren()
         Gui.getDocument(self.doc.Name).setEdit(repaired.Name, 0)
@@ -147,13 +152,18 @@ class EditedAgain(GuiCase):
         self.child(panel, "FillHoles").setProperty("rawValue", 12.0)
         wait_until(lambda: "added" in status.text(), "the preview of the patch")
         self.assertEqual((repaired.FillHoles.Value, repaired.Added), (0, 0), "before OK nothing is written")
+        self.child(panel, "WeldAutomatically").setChecked(False)
+        self.child(panel, "Weld").setProperty("rawValue", 0.3)
+        wait_until(lambda: "divided at" in status.text(), "the preview of the weld")
+        self.look()
+        self.picture("repair-colours")
         mended = repair_step(repaired.Source, panel.joins())(native.load().RunContext())
         nodes = marks(surface_arrays(repaired.Source), mended)
         shown = {_colour(node) for node in nodes if isinstance(node.getChild(0), coin.SoMaterial)}
-        self.assertEqual(shown, {REMOVED, ADDED})
+        self.assertEqual(shown, {REMOVED, ADDED, WELDED})
         self.press("Ok")
         self.wait_closed()
-        self.assertEqual(repaired.FillHoles.Value, 12)
+        self.assertEqual((repaired.FillHoles.Value, repaired.Weld.Value), (12, 0.3))
         self.assertGreater(repaired.Added, 0)
         self.assertEqual(repaired.ViewObject.RootNode.getNumChildren(), before)
 

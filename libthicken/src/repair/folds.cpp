@@ -95,13 +95,10 @@ void FoldOpener::removeAt(Workpiece& piece, const VertexTriangles& around,
   openPinchedVertices(piece, around);
 }
 
-// Tries what is near the places that were named.
-std::vector<VertexId> FoldOpener::stuckNear(const Workpiece& piece, const VertexTriangles& around) const {
-  std::vector<VertexId> seeds;
-  for (VertexId v = 0; v < piece.mesh.positions.size(); ++v) {
-    const Vec3& p = piece.mesh.positions[v];
-    if (named_.count({p[0], p[1], p[2]}) > 0) seeds.push_back(v);
-  }
+// Tries what is near the places that were changed. What was opened before is not tried again: each trial
+// would be as long as all before it.
+std::vector<VertexId> FoldOpener::stuckNear(const Workpiece& piece, const VertexTriangles& around,
+                                            std::span<const VertexId> seeds) const {
   const Patch patch = patchAround(piece, around, seeds);
   if (patch.mesh.triangles.empty()) return {};
   std::vector<VertexId> stuck;
@@ -119,7 +116,7 @@ RepairResult FoldOpener::open(const RepairResult& before, std::span<const Vertex
   for (int trial = 0; !stuck.empty() && trial < kMostTrials; ++trial) {
     context.throwIfCancelled();
     removeAt(piece, around, stuck);
-    stuck = stuckNear(piece, around);
+    stuck = stuckNear(piece, around, stuck);
   }
   if (!stuck.empty()) removeAt(piece, around, stuck);
   return provedResult(piece, before.facts, context, threads);

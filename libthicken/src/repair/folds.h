@@ -41,7 +41,8 @@ class FoldOpener {
   // How often this vertex or one beside it was named before.
   [[nodiscard]] int timesNamed(const TriangleMesh& mesh, const VertexTriangles& around, VertexId v) const;
   void removeAt(Workpiece& piece, const VertexTriangles& around, std::span<const VertexId> vertices);
-  [[nodiscard]] std::vector<VertexId> stuckNear(const Workpiece& piece, const VertexTriangles& around) const;
+  [[nodiscard]] std::vector<VertexId> stuckNear(const Workpiece& piece, const VertexTriangles& around,
+                                                std::span<const VertexId> seeds) const;
 
   Trial trial_;
   std::map<Place, int> named_;
