@@ -150,6 +150,18 @@ TEST(Simplify, LeavesWhatIsNotClosed) {
   EXPECT_EQ(facts.before, facts.after);
 }
 
+// Else the progress stands still meanwhile.
+TEST(Simplify, CountsTheEdgesThatItTries) {
+  const TriangleMesh s = rounded(plane(40, 10));
+  Solid solid = thicken(s, options(1, Simplify::kOff));
+  const std::size_t blocks = solid.mesh.triangles.size() / 256;
+  const ClosestPointTree tree(s, 1);
+  const RunContext context;
+  (void)simplify(solid.mesh, solid.region, {s, tree, 1, Side::kNegative, Join::kMitre, {}, Simplify::kShell},
+                 context, 1);
+  EXPECT_GT(context.counted(), 3 * blocks) << "two are the search for targets";
+}
+
 TEST(Simplify, CanBeCancelled) {
   const TriangleMesh s = plane(8, 10);
   TriangleMesh solid = slab(s, 1);
