@@ -101,7 +101,6 @@ ShellDefinition::ShellDefinition(const TriangleMesh& surface, const ClosestPoint
       normal_(faceNormals(surface.positions, surface.triangles, threads)),
       around_(vertexTriangles(surface.positions.size(), surface.triangles, threads)),
       error_(surface, normal_, around_, r, join),
-      r_(r),
       most_(most),
       join_(join) {}
 
