@@ -29,9 +29,11 @@ def count(value: int) -> str:
 
 
 def percent(share: float) -> str:
-    """A share as "12 %"; what is there but hardly is "< 0.01 %"."""
+    """A share as "12 %"; what is there but hardly is "< 0.01 %", and what is nearly all "> 99 %"."""
     if 0 < share < 1e-4:
         return f"< {_localised('0.01')} %"
+    if 0.99 < share < 1:
+        return "> 99 %"
     return f"{number(100 * share, 2)} %"
 
 

@@ -35,7 +35,7 @@ Forecast forecast(const SurfaceFacts& surface, const Options& options) noexcept 
   constexpr double kSecondsPerTriangle = 34e-6, kSecondsPerCrossing = 9e-6;
   // Bytes, measured over the same with a margin: positions, triangles, the two trees, adjacency, the audit's
   // edge table; and where there is a contour, a second boundary.
-  constexpr std::size_t kBytesPerTriangle = 1500, kBesideContour = 900, kBase = std::size_t{16} << 20;
+  constexpr std::size_t kBytesPerTriangle = 1500, kBesideContour = 1100, kBase = std::size_t{16} << 20;
   const std::size_t shells = options.side == Side::kBoth ? 2 : 1;
   const std::size_t swept = surface.triangles * (1 + shells) / 2;
   const double crossings = predictedCrossings(surface, options);

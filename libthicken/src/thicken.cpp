@@ -323,9 +323,9 @@ Solid provedSolid(const TriangleMesh& surface, const TriangleMesh& oriented, con
   Made made = madeBy(oriented, tree, input, options, work, context, threads, watch);
 
   const auto simplified = [&](Solid& solid) {
-    // A block of the simplifier's loops is some hundred triangles.
+    // A unit is 256 triangles, or as many edges that a collapse is tried at: some six a triangle.
     context.enter(Stage::kShaping, kShaped, kSimplified,
-                  static_cast<double>(solid.mesh.triangles.size()) / 100);
+                  static_cast<double>(solid.mesh.triangles.size()) / 30);
     simplifySolid(solid, oriented, tree, options, context, threads);
     watch.lap("simplify");
     context.enter(Stage::kAuditing, kSimplified, kAudited, work.audit);

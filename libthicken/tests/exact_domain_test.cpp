@@ -126,10 +126,20 @@ TEST(ExactDomain, TheAuditRefusesWhatIsTooSmall) {
   EXPECT_EQ(result.defects.front().vertices, std::vector<VertexId>{5});
 }
 
-TEST(ExactDomain, NoiseInAFileIsNamedAndGoesBySinglePrecision) {
+class NoiseInAFile : public ::testing::TestWithParam<std::pair<const char*, const char*>> {};
+
+INSTANTIATE_TEST_SUITE_P(
+    Formats, NoiseInAFile,
+    ::testing::Values(
+        std::pair{"a.obj", "v 0 0 0\nv 4 0 1e-300\nv 4 4 4.9e-324\nv 0 4 -3e-310\nf 1 2 3\nf 1 3 4\n"},
+        std::pair{"a.ply",
+                  "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\n"
+                  "property double z\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n"
+                  "0 0 0\n4 0 1e-300\n4 4 4.9e-324\n0 4 -3e-310\n3 0 1 2\n3 0 2 3\n"}));
+
+TEST_P(NoiseInAFile, IsNamedAndGoesBySinglePrecision) {
   const test::ScratchFolder folder;
-  const std::string text = "v 0 0 0\nv 4 0 1e-300\nv 4 4 4.9e-324\nv 0 4 -3e-310\nf 1 2 3\nf 1 3 4\n";
-  const TriangleMesh mesh = readMesh(folder.put("a.obj", text));
+  const TriangleMesh mesh = readMesh(folder.put(GetParam().first, GetParam().second));
   EXPECT_EQ(mesh.positions[2].z(), kSubnormal) << "the reader changes nothing";
   Options options;
   options.thickness = 1;

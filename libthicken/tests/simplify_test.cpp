@@ -177,6 +177,18 @@ TEST(Simplify, TurnsNoSmallCavityInsideOut) {
   EXPECT_LT(volume, -0.4 * 4 / 3 * kPi * std::pow(0.002, 3));
 }
 
+// Else the progress stands still meanwhile.
+TEST(Simplify, CountsTheEdgesThatItTries) {
+  const TriangleMesh s = rounded(plane(40, 10));
+  Solid solid = thicken(s, options(1, Simplify::kOff));
+  const std::size_t blocks = solid.mesh.triangles.size() / 256;
+  const ClosestPointTree tree(s, 1);
+  const RunContext context;
+  (void)simplify(solid.mesh, solid.region, {s, tree, 1, Side::kNegative, Join::kMitre, {}, Simplify::kShell},
+                 context, 1);
+  EXPECT_GT(context.counted(), 3 * blocks) << "two are the search for targets";
+}
+
 TEST(Simplify, CanBeCancelled) {
   const TriangleMesh s = plane(8, 10);
   TriangleMesh solid = slab(s, 1);

@@ -55,6 +55,26 @@ TEST(Percent, IsNeverNothingForWhatIsSomething) {
   EXPECT_EQ(percentText(1), "100 %");
 }
 
+TEST(Percent, IsNeverAllOfWhatIsLess) {
+  EXPECT_EQ(percentText(0.99956), "more than 99.9 %");
+  EXPECT_EQ(percentText(1 - 1e-12), "more than 99.9 %");
+  EXPECT_EQ(percentText(0.999), "99.9 %");
+}
+
+TEST(Warnings, TellWhatARepairRemovedOrThatItWasNothing) {
+  Report report;
+  report.input.area = 10;
+  report.repair.emplace();
+  report.repair->changes.push_back({RepairKind::kDivided, 3, 0, {}, {}});
+  addWarnings(report);
+  EXPECT_TRUE(warnsOf(report, "repaired (3 divided): nothing of it was removed"));
+  report.warnings.clear();
+  report.repair->removed = 2;
+  report.repair->removedArea = 1;
+  addWarnings(report);
+  EXPECT_TRUE(warnsOf(report, "2 triangles with 10 % of its area were removed"));
+}
+
 TEST(Warnings, GiveNoShareOfNothing) {
   Report report;
   report.thickness = 1;
@@ -93,6 +113,12 @@ TEST(Warnings, TellOfASurfaceInAnotherUnit) {
   TriangleMesh metres = shapes::sheet(10, 10);
   for (Vec3& p : metres.positions) p *= 0.001;
   EXPECT_TRUE(warnsOf(thickened(metres, 2).report, "scale a surface in metres by 1000"));
+  EXPECT_TRUE(warnsOf(thickened(metres, 1e-4).report, "scale a surface in metres by 1000"))
+      << "0.014 mm across";
+  TriangleMesh inches = shapes::sheet(10, 10);
+  for (Vec3& p : inches.positions) p *= 0.2;
+  EXPECT_TRUE(warnsOf(thickened(inches, 2).report, "one in inches by 25.4")) << "2.8 mm across";
+  EXPECT_FALSE(warnsOf(thickened(shapes::sheet(10, 10), 2).report, "lengths are millimetres"));
   TriangleMesh micrometres = shapes::sheet(10, 10);
   for (Vec3& p : micrometres.positions) p *= 1e4;
   EXPECT_TRUE(warnsOf(thickened(micrometres, 1).report, "micrometres"));

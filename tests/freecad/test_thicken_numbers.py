@@ -19,7 +19,8 @@ class Shown(unittest.TestCase):
         self.assertEqual(numbers.count(303628), "303,628")
 
     def test_hardly_any_per_cent_is_not_none(self):
-        self.assertEqual([numbers.percent(share) for share in (0, 6.7e-7, 0.0042, 0.5)], ["0 %", "< 0.01 %", "0.42 %", "50 %"])
+        self.assertEqual([numbers.percent(share) for share in (0, 6.7e-7, 0.0042, 0.5, 0.997, 1)],
+                         ["0 %", "< 0.01 %", "0.42 %", "50 %", "> 99 %", "100 %"])  # fmt: skip
 
     def test_marks_of_the_language(self):
         with mock.patch.object(numbers, "_marks", return_value=(",", ".")):

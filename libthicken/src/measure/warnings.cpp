@@ -20,9 +20,11 @@ void addRepair(Report& report) {
   for (const RepairChange& change : facts.changes)
     changes += fmt::format("{}{} {}", changes.empty() ? "" : ", ", change.count, name(change.kind));
   const double share = report.input.area > 0 ? facts.removedArea / report.input.area : 0;
-  report.warnings.push_back(
-      fmt::format("the surface was repaired ({}): {} triangles with {} of its area were removed", changes,
-                  facts.removed, percentText(share)));
+  const std::string removed =
+      facts.removed == 0
+          ? "nothing of it was removed"
+          : fmt::format("{} triangles with {} of its area were removed", facts.removed, percentText(share));
+  report.warnings.push_back(fmt::format("the surface was repaired ({}): {}", changes, removed));
 }
 
 void addThinPlaces(Report& report) {
@@ -73,7 +75,8 @@ void addParts(Report& report) {
 // A surface read in metres or inches is small against a thickness in millimetres, and one in micrometres
 // large.
 void addUnits(Report& report) {
-  constexpr double kFarLarger = 1e5;
+  constexpr double kFarLarger = 1e5, kSmall = 1;  // mm
+  constexpr double kThick = 0.25;                 // of the diagonal: hardly a wall any more
   const double across = report.input.diagonal;
   if (!(across > 0)) return;
   if (report.thickness >= across)
@@ -81,6 +84,11 @@ void addUnits(Report& report) {
         "the thickness of {:.4g} mm exceeds the surface itself, which is {:.4g} mm across; lengths are "
         "millimetres: scale a surface in metres by 1000, one in inches by 25.4",
         report.thickness, across));
+  else if (across < kSmall || report.thickness > kThick * across)
+    report.warnings.push_back(fmt::format(
+        "the surface is only {:.4g} mm across, {:.2g} times the thickness of {:.4g} mm; lengths are "
+        "millimetres: scale a surface in metres by 1000, one in inches by 25.4",
+        across, across / report.thickness, report.thickness));
   else if (across > kFarLarger * report.thickness)
     report.warnings.push_back(fmt::format(
         "the surface is {:.4g} mm across, {:.2g} times the thickness of {:.4g} mm; lengths are millimetres: "
@@ -91,8 +99,9 @@ void addUnits(Report& report) {
 }  // namespace
 
 std::string percentText(double share) {
-  constexpr double kLeast = 1e-4;
+  constexpr double kLeast = 1e-4, kMost = 0.999;
   if (share > 0 && share < kLeast) return "less than 0.01 %";
+  if (share > kMost && share < 1) return "more than 99.9 %";
   return fmt::format("{:.3g} %", 100 * share);
 }
 

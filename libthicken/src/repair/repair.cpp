@@ -179,8 +179,11 @@ SeamFacts mend(Workpiece& piece, const RepairOptions& options, repairing::Ledger
   repairing::KnownMeetings known = findMeetings(piece, context, threads);
   const std::vector<std::uint32_t> before = repairing::partsOfPiece(piece);
   const double fin = meanArea(piece);
+  // All three are done, in this order.
   const bool overlapping = removeOverlaps(piece, known.pairs, threads);
-  if (overlapping | endSheetsAtEdges(piece) | cutPinchedVertices(piece)) {
+  const bool ended = endSheetsAtEdges(piece);
+  const bool cut = cutPinchedVertices(piece);
+  if (overlapping || ended || cut) {
     dropCrumbs(piece, before, fin);
     known = findMeetings(piece, context, threads);
   }

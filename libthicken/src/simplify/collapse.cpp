@@ -107,7 +107,10 @@ void Collapse::collapseAmong(std::span<const TriangleId> triangles, const RunCon
   }
   constexpr std::size_t kBetweenChecks = 256;
   for (std::size_t i = 0;; ++i) {
-    if (i % kBetweenChecks == 0) context.throwIfCancelled();
+    if (i % kBetweenChecks == 0) {
+      context.throwIfCancelled();
+      context.count();
+    }
     const std::optional<EdgeQueue::Entry> next = queue_.pop();
     if (!next) return;
     if (age_[next->a] == next->ageOfA && age_[next->b] == next->ageOfB) tryEdge(next->a, next->b);

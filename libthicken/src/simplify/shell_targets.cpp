@@ -100,7 +100,6 @@ ShellDefinition::ShellDefinition(const TriangleMesh& surface, const ClosestPoint
       normal_(faceNormals(surface.positions, surface.triangles, threads)),
       around_(vertexTriangles(surface.positions.size(), surface.triangles, threads)),
       error_(surface, normal_, around_, r, join),
-      r_(r),
       most_(most),
       join_(join) {}
 
@@ -147,8 +146,11 @@ ShellTargets shellTargets(const TriangleMesh& solid, std::span<const Region> reg
   const std::vector<std::uint8_t> beside = besideDense(solid, made.isDense);
   std::vector<std::uint8_t> hasTarget(solid.positions.size(), 0);
   for (TriangleId t = 0; t < count; ++t) {
+    if (t % 256 == 0) {
+      context.throwIfCancelled();
+      context.count();
+    }
     if (!beside[t] || region[t] == Region::kOriginal) continue;
-    if (t % 1024 == 0) context.throwIfCancelled();
     if (!middle[t].isFree)
       for (const VertexId v : solid.triangles[t])
         made.quadric[v].add(middle[t].normal, middle[t].target - center,

@@ -45,7 +45,7 @@ class ShellDefinition {
   std::vector<Vec3> normal_;
   VertexTriangles around_;
   OffsetError error_;
-  double r_, most_;
+  double most_;
   Join join_;
 };
 
