@@ -77,8 +77,8 @@ def separates(chain: list[tuple[int, int]], triangles: np.ndarray) -> bool:
     return chain[0][1] not in seen
 
 
-def contours(points: np.ndarray, triangles: np.ndarray, values: np.ndarray) -> list[np.ndarray]:
-    """The closed curves that cut a part off, where a value of each vertex, linear between, is 0."""
+def contours(points: np.ndarray, triangles: np.ndarray, values: np.ndarray, least: float) -> list[np.ndarray]:
+    """The closed curves that cut a part off, where a value of each vertex, linear between, is 0, of a length of at least `least`."""
     above = values[triangles] > 0
     ahead: dict[tuple[int, int], tuple[int, int]] = {}
     for t in np.flatnonzero((above.sum(axis=1) % 3) != 0):
@@ -95,11 +95,12 @@ def contours(points: np.ndarray, triangles: np.ndarray, values: np.ndarray) -> l
             seen.add(at)
             chain.append(at)
             at = ahead[at]
-        finite = chain and at == start and np.isfinite(values[np.array(chain)]).all()
-        if finite and separates(chain, triangles):
-            a, b = np.array(chain).T
-            share = (values[a] / (values[a] - values[b]))[:, None]
-            curves.append(points[a] + share * (points[b] - points[a]))
+        if len(chain) < 3 or at != start or not np.isfinite(values[np.array(chain)]).all():
+            continue
+        a, b = np.array(chain).T
+        curve = points[a] + (values[a] / (values[a] - values[b]))[:, None] * (points[b] - points[a])
+        if length_of(curve) > least and separates(chain, triangles):
+            curves.append(curve)
     return curves
 
 
@@ -118,18 +119,19 @@ def random_loop(rng: np.random.Generator, points: np.ndarray, triangles: np.ndar
     diagonal = np.linalg.norm(np.ptp(points, axis=0))
     while True:
         start = int(triangles[rng.integers(len(triangles)), 0])
-        if rng.random() < 0.6:
+        if rng.random() < 0.7:
             way = ways_from(start, points, triangles)
-            values = way - rng.uniform(0.1, 0.6) * way[np.isfinite(way)].max()
+            radius = rng.uniform(0.15, 0.6) * way[np.isfinite(way)].max()
+            fields = [way - radius * share for share in (1, 0.5, 0.25)]  # a smaller one where the rim is too near
         else:
             axis = rng.normal(size=3)
-            values = (points - points[start]) @ (axis / np.linalg.norm(axis)) + 1e-7 * diagonal * rng.random()
-        curves = [c for c in contours(points, triangles, values) if length_of(c) > 0.1 * diagonal]
-        if not curves:
-            continue
-        curve = curves[rng.integers(len(curves))]
-        count = int(np.clip(length_of(curve) / (rng.uniform(0.01, 0.04) * diagonal), 8, 300))
-        return sampled(curve, count) + rng.uniform(-0.001, 0.001, (count, 3)) * diagonal
+            fields = [(points - points[start]) @ (axis / np.linalg.norm(axis)) + 1e-7 * diagonal * rng.random()]
+        for values in fields:
+            curves = contours(points, triangles, values, 0.1 * diagonal)
+            if curves:
+                curve = curves[rng.integers(len(curves))]
+                count = int(np.clip(length_of(curve) / (rng.uniform(0.01, 0.04) * diagonal), 8, 300))
+                return sampled(curve, count) + rng.uniform(-0.001, 0.001, (count, 3)) * diagonal
 
 
 def distance_to_rim(places: np.ndarray, points: np.ndarray, triangles: np.ndarray) -> float:

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "plan.h"
@@ -85,9 +86,24 @@ void addChoice(CLI::App& app, const std::string& flag, Target& value, const std:
   app.add_option_function<std::string>(flag, choose, help + ": " + list)->type_name("WORD");
 }
 
+// mm
+double toUnit(const std::string& word) {
+  constexpr std::array<std::pair<std::string_view, double>, 4> kUnits{
+      {{"mm", 1}, {"cm", 10}, {"m", 1000}, {"in", 25.4}}};
+  const auto* found =
+      std::find_if(kUnits.begin(), kUnits.end(), [&](const auto& u) { return u.first == word; });
+  if (found == kUnits.end())
+    throw CLI::ValidationError("--unit", "it must be one of mm, cm, m, in, not " + word);
+  return found->second;
+}
+
 void describeRun(CLI::App& app, Arguments& arguments, double& memory) {
   app.add_option("--report", arguments.report, "Write the facts of the run to this file, as JSON")
       ->type_name("FILE");
+  app.add_option_function<std::string>(
+         "--unit", [&arguments](const std::string& word) { arguments.unit = toUnit(word); },
+         "Unit of the numbers of the input, which become millimetres: mm, cm, m, in; default: mm")
+      ->type_name("WORD");
   app.add_option("--threads", arguments.options.threads, "Threads; 0: all that the machine has")
       ->check(threadNumber())
       ->type_name("T");

@@ -35,6 +35,8 @@ TriangleMesh readSurface(const Arguments& arguments, RunContext& context,
   context.enter(Stage::kReading, 0, kReadShare, 0);
   auto [surface, passedOver] = readMeshFile(arguments.input);
   warnings.insert(warnings.end(), passedOver.begin(), passedOver.end());
+  if (arguments.unit != 1)
+    for (Vec3& p : surface.positions) p *= arguments.unit;
   context.throwIfCancelled();
   return surface;
 }
@@ -183,9 +185,13 @@ TrimmedSurface trimSurface(const Arguments& arguments, RunContext& context,
                            std::vector<std::string>& warnings) {
   const ProgressLine line(context, arguments.quiet);
   std::vector<TrimLoop> loops;
-  for (const std::filesystem::path& path : arguments.loops) loops.push_back(readLoop(path));
+  for (const std::filesystem::path& path : arguments.loops) {
+    loops.push_back(readLoop(path));
+    for (Vec3& p : loops.back()) p *= arguments.unit;
+  }
   const TriangleMesh surface = readSurface(arguments, context, warnings);
   TrimOptions options = arguments.trim;
+  if (options.keep) *options.keep *= arguments.unit;
   options.precision = storedPrecision(arguments.output);
   context.setPart(kReadShare, kWriteShare);
   TrimmedSurface part = trim(surface, loops, options, context, arguments.options.threads);

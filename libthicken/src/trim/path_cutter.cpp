@@ -156,9 +156,12 @@ void PathCutter::connect(VertexId from, VertexId to, int depth, std::vector<Vert
 void PathCutter::divideAlong(const Way& way, VertexId from, std::vector<VertexId>& path) {
   for (const WayPoint& p : way.points) {
     VertexId v = p.vertex;
-    if (v == kNone)
-      v = moved(surface_.divideEdge(surface_.edgeBetween(p.edge[0], p.edge[1]), roundToFloat(p.place)),
-                p.place);
+    if (v == kNone) {
+      const EdgeOf edge = surface_.edgeBetween(p.edge[0], p.edge[1]);
+      if (edge.triangle == kNone) throw TooNarrow(p.place);  // the way came to this edge before
+      v = moved(surface_.divideEdge(edge, roundToFloat(p.place)), p.place);
+    }
+    if (surface_.edgeBetween(from, v).triangle == kNone) throw TooNarrow(p.place);
     if (marks_.hasEdge(from, v))
       throw trimLineError(fmt::format("loop {} turns back on itself at {}; leave out a point there",
                                       loop_ + 1, text(surface_.at(from))),

@@ -24,6 +24,7 @@ class Cut {
       double tolerance)
       : surface_(surface),
         marks_(marks),
+        from_(from),
         to_(to),
         origin_(surface.at(from)),
         ahead_(surface.at(to) - origin_),
@@ -31,8 +32,8 @@ class Cut {
         tolerance_(tolerance),
         last_(origin_) {}
 
-  Way follow(VertexId from) {
-    std::optional<VertexId> at = from;
+  Way follow() {
+    std::optional<VertexId> at = from_;
     while (at && way_.end != WayEnd::kArrived) at = leave(*at);
     return std::move(way_);
   }
@@ -65,6 +66,7 @@ class Cut {
       way_.end = WayEnd::kArrived;
       return v;
     }
+    if (v == from_) return stop(WayEnd::kStrays, surface_.at(v));  // once around
     if (marks_.hasVertex(v)) return stop(WayEnd::kTouches, surface_.at(v), v);
     if (std::find(passed_.begin(), passed_.end(), v) != passed_.end())
       return stop(WayEnd::kStrays, surface_.at(v));
@@ -122,7 +124,7 @@ class Cut {
 
   const DividedSurface& surface_;
   const PathMarks& marks_;
-  VertexId to_;
+  VertexId from_, to_;
   Vec3 origin_, ahead_, right_;
   double tolerance_;
   Vec3 last_;
@@ -135,7 +137,7 @@ class Cut {
 
 Way planeCut(const DividedSurface& surface, const PathMarks& marks, VertexId from, VertexId to,
              const Vec3& up, double tolerance) {
-  return Cut(surface, marks, from, to, up, tolerance).follow(from);
+  return Cut(surface, marks, from, to, up, tolerance).follow();
 }
 
 }  // namespace thicken::trimming

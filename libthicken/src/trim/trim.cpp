@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
+#include <array>
 #include <utility>
 
 #include "mesh/float_lattice.h"
@@ -121,6 +121,15 @@ Attempt attempt(const Ground& ground, const std::vector<TrimLoop>& loops, const 
   return made;
 }
 
+Error tooNarrow(const trimming::TooNarrow& narrow) {
+  return trimming::trimLineError(
+      fmt::format(
+          "the triangles at {} are too narrow to be divided there in single precision; move the points of "
+          "the loop that are near",
+          text(narrow.place)),
+      narrow.place);
+}
+
 Error notValid(const std::vector<Defect>& defects) {
   return {defects.front().code, "the part that stays is no valid surface: " + defects.front().sentence,
           defects};
@@ -148,11 +157,7 @@ TrimmedSurface trim(const TriangleMesh& surface, std::span<const TrimLoop> loops
       failure = notValid(made.defects);
       if (made.isOwn) break;
     } catch (const trimming::TooNarrow& narrow) {
-      failure = trimming::trimLineError(
-          fmt::format("the triangles at {} are too narrow to be divided there in single precision; move the "
-                      "points of the loop that are near",
-                      text(narrow.place)),
-          narrow.place);
+      failure = tooNarrow(narrow);
     }
   }
   failure->setInput(facts);
@@ -176,11 +181,17 @@ SurfacePaths& SurfacePaths::operator=(SurfacePaths&&) noexcept = default;
 
 TrimLoop SurfacePaths::path(std::span<const Vec3> points, bool closed, int smooth) const {
   requireSmoothing(smooth);
-  PathCutter cutter(*impl_->ground, kFloatSteps.back() * impl_->ground->floatStep);
-  TrimLoop path;
-  for (const VertexId v : cutter.cut(trimming::smoothed(points, closed, smooth), closed).vertices)
-    path.push_back(cutter.surface().at(v));
-  return path;
+  const TrimLoop through = trimming::smoothed(points, closed, smooth);
+  for (std::size_t i = 0;; ++i) {
+    try {
+      PathCutter cutter(*impl_->ground, kFloatSteps[i] * impl_->ground->floatStep);
+      TrimLoop path;
+      for (const VertexId v : cutter.cut(through, closed).vertices) path.push_back(cutter.surface().at(v));
+      return path;
+    } catch (const trimming::TooNarrow& narrow) {
+      if (i + 1 == kFloatSteps.size()) throw tooNarrow(narrow);
+    }
+  }
 }
 
 }  // namespace thicken
