@@ -27,7 +27,7 @@ _INPUTS = [
     ("App::PropertyLink", "Source", "The mesh or shape to cut a part out of"),
     ("App::PropertyVectorList", "Points", "A loop: points near the surface, in the coordinates of the source without its Placement"),
     ("App::PropertyLinkList", "Wires", "More loops: sketches or other shapes whose closed wires lie near the surface"),
-    ("App::PropertyBool", "KeepSmallest", "Keep the smallest part beside all loops, not the one at Keep"),
+    ("App::PropertyBool", "KeepInside", "Keep the part inside of the loops, not the one at Keep"),
     ("App::PropertyVector", "Keep", "A point of the part that stays, in the coordinates of the source without its Placement"),
     ("App::PropertyInteger", "Smooth", "Rounds of rounding the corners of the loops, 0 to 5"),
 ]  # fmt: skip
@@ -44,11 +44,11 @@ class TrimFeature(StatelessProxy):
     """Proxy of a Mesh::FeaturePython that holds the part of its Source that loops border."""
 
     def ensure_properties(self, obj: Any) -> None:
-        fresh = "KeepSmallest" not in obj.PropertiesList
+        fresh = "KeepInside" not in obj.PropertiesList
         add_properties(obj, "Trim", _INPUTS)
         add_properties(obj, "Result", _RESULTS, _RESULT)
         if fresh:
-            obj.KeepSmallest = True
+            obj.KeepInside = True
         obj.setEditorMode("Placement", 1)  # it follows the source's
 
     def execute(self, obj: Any) -> None:
@@ -84,7 +84,7 @@ def make_trim(
     """Add a feature with the part of the mesh or shape `source` that loops border to `doc`, recompute, and return it.
 
     A loop is `points` near the surface, in the document's coordinates, or a closed wire of the sketches and shapes
-    `wires`, which it follows. `keep` is a point of the part that stays; without it the smallest part beside all loops
+    `wires`, which it follows. `keep` is a point of the part that stays; without it the part inside of the loops
     does. `smooth`: rounds of rounding the corners, 0 to 5. docs/trim.md says how the path runs. A loop that cannot be
     followed does not raise: the feature's State then has "Invalid".
     """
@@ -99,7 +99,7 @@ def make_trim(
         obj.Wires = list(wires)
         obj.Smooth = smooth
         if keep is not None:
-            obj.KeepSmallest = False
+            obj.KeepInside = False
             obj.Keep = to_source.multVec(App.Vector(*keep))
         put_beside(obj, source)
         obj.Source = source
@@ -126,7 +126,7 @@ def trim_step(obj: Any) -> runs.Step[TrimmedMesh]:
     surface = surface_arrays(obj.Source)
     runs.require_room(len(surface[1]))
     loops = loops_of(obj)
-    keep = None if obj.KeepSmallest else tuple(obj.Keep)
+    keep = None if obj.KeepInside else tuple(obj.Keep)
     smooth, threads = obj.Smooth, runs.threads()
     return lambda context: trim(*surface, loops, keep=keep, smooth=smooth, threads=threads, context=context)
 

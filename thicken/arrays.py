@@ -224,7 +224,7 @@ def trim(
     """Return the part of a surface that closed loops border, as docs/trim.md describes it.
 
     `loops`: k × 3 points near the surface each; the last is joined to the first. `keep`: a point of the part that
-    stays; without it the smallest part beside all loops. `smooth`: rounds of rounding the corners of the loops, 0 to 5.
+    stays; without it the part inside of the loops. `smooth`: rounds of rounding the corners of the loops, 0 to 5.
     Triangles that no path divides stay bit for bit. Raises ThickenError where a loop cannot be followed, with the
     place in its defects, and where the part is no valid surface.
     """

@@ -103,6 +103,12 @@ TEST(Trim, KeepsTheSmallerSideOrTheOneThatIsAskedFor) {
   EXPECT_EQ(large.facts.surface.rims, 1u);
 }
 
+TEST(Trim, KeepsTheInsideOfALoopNearTheRimAlthoughItIsTheLargerPart) {
+  const TrimmedSurface part = trimmed(flatSheet(10, 10, 0), {circle({5, 5, 0}, 4.6, 40)});
+  EXPECT_GT(part.facts.surface.area, 50);
+  EXPECT_EQ(part.facts.surface.rims, 1u);
+}
+
 TEST(Trim, SeveralLoopsLeaveWhatLiesBetween) {
   const TriangleMesh whole = sheet(20, 20);
   const TrimmedSurface ring = trimmed(whole, {circle({10, 10, 0}, 8.3, 40), circle({10, 10, 0}, 3.1, 24)});

@@ -55,7 +55,7 @@ class Trim(DocumentCase):
         source = self.add_source(plate())
         inside, outside = self.trimmed(source, SQUARE), self.trimmed(source, SQUARE, keep=(9, 9, 0))
         self.assertAlmostEqual(inside.Area.Value + outside.Area.Value, 400, delta=1e-2)
-        outside.KeepSmallest = True
+        outside.KeepInside = True
         self.doc.recompute()
         self.assertAlmostEqual(outside.Area.Value, inside.Area.Value, delta=1e-4)
 

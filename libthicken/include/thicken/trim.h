@@ -23,8 +23,9 @@ namespace thicken {
 using TrimLoop = std::vector<Vec3>;
 
 struct TrimOptions {
-  /// mm: the part that stays is the one at the surface's closest point to this. Without it, the smallest of
-  /// the parts that every loop borders.
+  /// mm: the part that stays is the one at the surface's closest point to this. Without it, the one inside:
+  /// of the parts that every loop borders that with the least length of the surface's own rims, of equal ones
+  /// the smallest.
   std::optional<Vec3> keep;
   int smooth =
       0;  ///< rounds of rounding the corners of the loops, which still lead through their points; 0 to 5

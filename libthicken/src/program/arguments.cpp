@@ -207,7 +207,7 @@ void describeTrim(CLI::App& app, Arguments& arguments) {
       ->type_name("FILE");
   app.add_option_function<std::string>(
          "--keep", [&arguments](const std::string& text) { arguments.trim.keep = toPoint(text); },
-         "Point of the part that stays, mm; default: the smallest part beside all loops")
+         "Point of the part that stays, mm; default: inside of the loops")
       ->type_name("X,Y,Z");
   app.add_option("--smooth", arguments.trim.smooth, "Rounds of rounding the corners of the loops")
       ->type_name("ROUNDS");

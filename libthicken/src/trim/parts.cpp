@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "thicken/check.h"
 #include "trim/trim_line_error.h"
@@ -16,6 +17,7 @@ Parts::Parts(const DividedSurface& surface, const PathMarks& marks,
   for (TriangleId t = 0; t < partOf_.size(); ++t) {
     if (partOf_[t] != kNone) continue;
     area_.push_back(0);
+    rim_.push_back(0);
     fill(t, static_cast<std::uint32_t>(area_.size() - 1), marks);
   }
   for (const std::vector<VertexId>& path : paths) {
@@ -44,6 +46,8 @@ void Parts::fill(TriangleId start, std::uint32_t part, const PathMarks& marks) {
     for (int k = 0; k < 3; ++k) {
       const EdgeOf edge{t, k};
       const TriangleId next = surface_.across(edge);
+      if (next == kNone)
+        rim_[part] += (surface_.at(surface_.from(edge)) - surface_.at(surface_.to(edge))).norm();
       if (next == kNone || partOf_[next] != kNone || marks.hasEdge(surface_.from(edge), surface_.to(edge)))
         continue;
       partOf_[next] = part;
@@ -52,10 +56,12 @@ void Parts::fill(TriangleId start, std::uint32_t part, const PathMarks& marks) {
   }
 }
 
-std::uint32_t Parts::smallestBesideAll() const {
+std::uint32_t Parts::inside() const {
   std::optional<std::uint32_t> best;
   for (std::uint32_t part = 0; part < area_.size(); ++part)
-    if (loopsAwayFrom(part).empty() && (!best || area_[part] < area_[*best])) best = part;
+    if (loopsAwayFrom(part).empty() &&
+        (!best || std::pair(rim_[part], area_[part]) < std::pair(rim_[*best], area_[*best])))
+      best = part;
   if (!best)
     throw trimLineError(
         "no part of the surface lies beside all of the loops; say which one stays, by a point of it",

@@ -19,9 +19,9 @@ class Parts {
         const std::vector<std::vector<VertexId>>& paths);
 
   [[nodiscard]] std::uint32_t at(TriangleId t) const { return partOf_[t]; }
-  /// The part of least area of those that every loop borders. Throws Error(kInvalidArgument) where there is
-  /// none.
-  [[nodiscard]] std::uint32_t smallestBesideAll() const;
+  /// Of the parts that every loop borders the one with the least length of the surface's own rims, and of
+  /// equal ones the smallest. Throws Error(kInvalidArgument) where there is none. none.
+  [[nodiscard]] std::uint32_t inside() const;
   /// The loops that have the part on both of their sides, and those that have it on none.
   [[nodiscard]] std::vector<std::size_t> loopsWithin(std::uint32_t part) const;
   [[nodiscard]] std::vector<std::size_t> loopsAwayFrom(std::uint32_t part) const;
@@ -33,7 +33,7 @@ class Parts {
 
   const DividedSurface& surface_;
   std::vector<std::uint32_t> partOf_;
-  std::vector<double> area_;
+  std::vector<double> area_, rim_;                     // of each part; mm of the surface's own rims
   std::vector<std::set<std::uint32_t>> left_, right_;  // of each loop
   std::vector<Vec3> place_;                            // on each loop
 };

@@ -98,8 +98,7 @@ Attempt attempt(const Ground& ground, const std::vector<TrimLoop>& loops, const 
   }
   result.facts.deviation = cutter.deviation();
   const trimming::Parts parts(cutter.surface(), cutter.marks(), paths);
-  const std::uint32_t kept =
-      options.keep ? parts.at(cutter.pieceAt(*options.keep)) : parts.smallestBesideAll();
+  const std::uint32_t kept = options.keep ? parts.at(cutter.pieceAt(*options.keep)) : parts.inside();
   for (const std::size_t loop : parts.loopsWithin(kept)) {
     const Vec3& place = result.paths[loop].front();
     throw trimming::trimLineError(
