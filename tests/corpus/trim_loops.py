@@ -11,6 +11,7 @@ same in every run. Parts are written into the folder PARTS. One line a loop, the
     valid       the part passes `thicken check`; its untouched triangles are triangles of the surface, bit for bit;
                 every new corner is on the surface, and the rim leads through every point of the loop, to rounding
     refused     with its reason
+    left out    no closed curve was found on the surface, which does not count
     wrong       what was found; the exit status is 1 then
 
 The parts are then thickened and judged like any surface:
@@ -31,6 +32,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 from thicken import native, read_mesh
 
 SECONDS = 120
+TRIES = 20  # of places and planes for a loop
 ROUNDING = 17  # steps of float at the farthest coordinate that a corner may be off: 16 and its own rounding
 
 
@@ -115,9 +117,10 @@ def sampled(curve: np.ndarray, count: int) -> np.ndarray:
     return np.column_stack([np.interp(places, at, closed[:, k]) for k in range(3)])
 
 
-def random_loop(rng: np.random.Generator, points: np.ndarray, triangles: np.ndarray) -> np.ndarray:
+def random_loop(rng: np.random.Generator, points: np.ndarray, triangles: np.ndarray) -> np.ndarray | None:
+    """None where no curve that was tried is closed, as on a narrow strip."""
     diagonal = np.linalg.norm(np.ptp(points, axis=0))
-    while True:
+    for _ in range(TRIES):
         start = int(triangles[rng.integers(len(triangles)), 0])
         if rng.random() < 0.7:
             way = ways_from(start, points, triangles)
@@ -132,6 +135,7 @@ def random_loop(rng: np.random.Generator, points: np.ndarray, triangles: np.ndar
                 curve = curves[rng.integers(len(curves))]
                 count = int(np.clip(length_of(curve) / (rng.uniform(0.01, 0.04) * diagonal), 8, 300))
                 return sampled(curve, count) + rng.uniform(-0.001, 0.001, (count, 3)) * diagonal
+    return None
 
 
 def distance_to_rim(places: np.ndarray, points: np.ndarray, triangles: np.ndarray) -> float:
@@ -173,6 +177,8 @@ def fault(program: str, loop: np.ndarray, surface: tuple, part_path: Path, repor
 def trim(program: str, source: Path, surface: tuple, parts: Path, seed: int) -> tuple[str, str]:
     rng = np.random.default_rng([seed, *source.name.encode()])
     loop = random_loop(rng, *surface)
+    if loop is None:
+        return "left out", "no closed curve"
     name = parts / f"{source.stem}_{seed}"
     np.savetxt(f"{name}.txt", loop)
     part, report = Path(f"{name}.ply"), Path(f"{name}.json")
@@ -190,12 +196,15 @@ def main() -> int:
     program, parts, count = sys.argv[1], Path(sys.argv[2]), int(sys.argv[3])
     sources = sorted(path for folder in sys.argv[4:] for path in Path(folder).glob("*.ply"))
     parts.mkdir(parents=True, exist_ok=True)
-    tally = {"valid": 0, "refused": 0, "wrong": 0}
-    for i in range(count):
-        source = sources[i * len(sources) // count] if count < len(sources) else sources[i % len(sources)]
-        verdict, why = trim(program, source, read_mesh(source), parts, i // len(sources))
+    tally = {"valid": 0, "refused": 0, "wrong": 0, "left out": 0}
+    step = max(1, len(sources) // count)  # of few loops, none is on two surfaces that are neighbours by name
+    i = 0
+    while sum(tally.values()) - tally["left out"] < count and i < 3 * count + len(sources):
+        source, seed = sources[i * step % len(sources)], i * step // len(sources)
+        verdict, why = trim(program, source, read_mesh(source), parts, seed)
         tally[verdict] += 1
-        print(f"{source.stem} {i // len(sources)}: {verdict} {why}", flush=True)
+        print(f"{source.stem} {seed}: {verdict} {why}", flush=True)
+        i += 1
     print(", ".join(f"{n} {verdict}" for verdict, n in tally.items()))
     return 1 if tally["wrong"] else 0
 

@@ -12,6 +12,10 @@ namespace {
 // takes 1.6, the way over a ridge as high as it is wide 3.
 constexpr double kLongestDetour = 4;
 
+// A path that is met after a way of more than this many times the distance of the ends was not between them:
+// the cut leads elsewhere, such as to the other side of a plate.
+constexpr double kLongestDirect = 1.5;
+
 // How far `p` is from the line through a and b.
 double heightOver(const Vec3& a, const Vec3& b, const Vec3& p) {
   const double length = (b - a).norm();
@@ -44,7 +48,9 @@ class Cut {
   [[nodiscard]] double side(VertexId v) const { return (surface_.at(v) - origin_).dot(right_); }
 
   std::nullopt_t stop(WayEnd end, const Vec3& place, VertexId met = kNone) {
-    way_.end = end;
+    const bool isElsewhere = length_ > kLongestDirect * ahead_.norm();
+    const bool isPath = end == WayEnd::kCrosses || end == WayEnd::kTouches;
+    way_.end = isPath && isElsewhere ? WayEnd::kStrays : end;
     way_.place = place;
     way_.met = met;
     return std::nullopt;
