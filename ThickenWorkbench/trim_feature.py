@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 _RESULT = 1 | 8  # read-only, and changing it does not touch the document
 
 # Of the diagonal of the surface's box: the farthest that the points taken of a wire may be from it.
-_DEFLECTION = 1e-3
+_DEFLECTION = 2e-4
 _MOST_SMOOTHING = 5
 
 _INPUTS = [

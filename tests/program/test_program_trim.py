@@ -73,7 +73,7 @@ class Trim(ProgramCase):
 
     def test_defects_of_the_surface_are_refused(self):
         write_off(self.folder / "in.off", with_extra([(1, 1, 4)], [(0, 1, 169)], self.surface))
-        self.assert_fails(self.trim("--loop", "inner.txt"), 3, "not-manifold")
+        self.assert_fails(self.trim("--loop", "inner.txt"), 3, "not-oriented")
 
 
 if __name__ == "__main__":

@@ -33,7 +33,7 @@ class Trim(unittest.TestCase):
         self.assertTrue(thicken_mesh(part.vertices, part.triangles, 0.5).report["audit"]["passed"])
 
     def test_keep_and_several_loops(self):
-        inner = (SQUARE - 6) / 3 + 6
+        inner = (SQUARE - [6, 6, 0]) / 3 + [6, 6, 0]
         ring = trim(*plate(), [SQUARE, inner])
         disc = trim(*plate(), [SQUARE, inner], keep=(6, 6, 0))
         self.assertEqual((ring.report["surface"]["rims"], disc.report["surface"]["rims"]), (2, 1))
