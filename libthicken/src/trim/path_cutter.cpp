@@ -100,8 +100,8 @@ VertexId PathCutter::placePoint(const Vec3& p, double& farthest) {
   if (!c) throw Error(ErrorCode::kInvalidArgument, "a point of a loop has a coordinate that is not a number");
   if (c->distance > kFarthestPoint * ground_.diagonal)
     throw trimLineError(
-        fmt::format("the point {} of a loop is {:.4g} mm away from the surface; a loop has to lie near it",
-                    text(p), c->distance),
+        fmt::format("loop {} is {:.4g} mm away from the surface at its point {}; a loop has to lie near it",
+                    loop_ + 1, c->distance, text(p)),
         p);
   farthest = std::max(farthest, c->distance);
   const VertexId v = place(*c);
