@@ -22,8 +22,10 @@ if TYPE_CHECKING:
         Region,
         RepairedMesh,
         RunContext,
+        SurfacePaths,
         ThickenedMesh,
         ThickenError,
+        TrimmedMesh,
         check_mesh,
         divide_into_sheets,
         forecast_mesh,
@@ -31,6 +33,7 @@ if TYPE_CHECKING:
         repair_mesh,
         size_of,
         thicken_mesh,
+        trim,
         weld_mesh,
         write_mesh,
     )
@@ -44,6 +47,7 @@ if TYPE_CHECKING:
     from .regions import facet_regions
     from .repair_feature import make_repair
     from .thickness_map import thickness_map
+    from .trim_feature import make_trim
 
 _HOMES = {
     **dict.fromkeys([*thicken.OF_ARRAYS, *thicken.OF_EXTENSION], "thicken"),
@@ -59,6 +63,7 @@ _HOMES = {
     "facet_regions": "regions",
     "make_repair": "repair_feature",
     "thickness_map": "thickness_map",
+    "make_trim": "trim_feature",
 }
 __all__ = sorted(_HOMES)
 

@@ -116,6 +116,12 @@ class RepairViewProvider(EditableViewProvider):
     icon = "repair_surface.svg"
 
 
+class TrimViewProvider(FeatureViewProvider):
+    """Of a part that was cut out of a surface."""
+
+    icon = "trim_surface.svg"
+
+
 class DrainViewProvider(RegionViewProvider):
     """Of a solid with drain holes."""
 
@@ -133,6 +139,7 @@ _PROVIDERS = {
     "ThickenFeature": ThickenViewProvider,
     "PartSolidFeature": SolidViewProvider,
     "RepairFeature": RepairViewProvider,
+    "TrimFeature": TrimViewProvider,
     "DrainHolesFeature": DrainViewProvider,
     "PlugFeature": PlugViewProvider,
 }

@@ -15,11 +15,12 @@ from .native import NativeError
 __version__ = "0.1.0"
 
 if TYPE_CHECKING:
-    from ._thicken import RunContext, ThickenError
+    from ._thicken import RunContext, SurfacePaths, ThickenError
     from .arrays import (
         Region,
         RepairedMesh,
         ThickenedMesh,
+        TrimmedMesh,
         check_mesh,
         divide_into_sheets,
         forecast_mesh,
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
         repair_mesh,
         size_of,
         thicken_mesh,
+        trim,
         weld_mesh,
         write_mesh,
     )
@@ -35,6 +37,7 @@ OF_ARRAYS = (
     "Region",
     "RepairedMesh",
     "ThickenedMesh",
+    "TrimmedMesh",
     "check_mesh",
     "divide_into_sheets",
     "forecast_mesh",
@@ -42,10 +45,11 @@ OF_ARRAYS = (
     "repair_mesh",
     "size_of",
     "thicken_mesh",
+    "trim",
     "weld_mesh",
     "write_mesh",
 )
-OF_EXTENSION = ("RunContext", "ThickenError")
+OF_EXTENSION = ("RunContext", "SurfacePaths", "ThickenError")
 __all__ = sorted([*OF_ARRAYS, *OF_EXTENSION, "NativeError"])
 
 

@@ -17,6 +17,10 @@ class ThickenError(RuntimeError):
     memory: dict[str, Any] | None
     time: dict[str, Any] | None
 
+class SurfacePaths:
+    def __init__(self, vertices: ArrayLike, triangles: ArrayLike, *, threads: int = 0) -> None: ...
+    def path(self, points: ArrayLike, *, closed: bool = True, smooth: int = 0) -> NDArray[np.float64]: ...
+
 class RunContext:
     memory_limit: int
     def __init__(self) -> None: ...
@@ -74,6 +78,17 @@ def repair_mesh(
     weld: float | None = None,
     bridge: float | None = None,
     fill_holes: float | None = None,
+    threads: int = 0,
+    context: RunContext | None = None,
+) -> dict[str, Any]: ...
+def trim(
+    vertices: ArrayLike,
+    triangles: ArrayLike,
+    loops: list[ArrayLike],
+    *,
+    keep: Sequence[float] | None = None,
+    smooth: int = 0,
+    single: bool = True,
     threads: int = 0,
     context: RunContext | None = None,
 ) -> dict[str, Any]: ...

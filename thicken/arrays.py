@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import os
 from enum import IntEnum
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Sequence
 
 import numpy as np
 
@@ -48,6 +48,16 @@ class RepairedMesh(NamedTuple):
     triangles: NDArray[np.int64]  #: m × 3
     origin: NDArray[np.int64]  #: the triangle of the given surface that each one is, or is a part of; -1: added
     report: dict[str, Any]  #: the entry "repair" of docs/report.md
+
+
+class TrimmedMesh(NamedTuple):
+    """A part of a surface, cut out along loops, and the facts about it."""
+
+    vertices: NDArray[np.float64]  #: n × 3
+    triangles: NDArray[np.int64]  #: m × 3, those that no path divides first and in their order
+    origin: NDArray[np.int64]  #: the triangle of the surface that each one is, or is a piece of
+    paths: list[NDArray[np.float64]]  #: for each loop the corners of its path on the surface, k × 3
+    report: dict[str, Any]  #: the object of docs/report.md
 
 
 class SurfaceSize(NamedTuple):
@@ -198,6 +208,33 @@ def divide_into_sheets(
     Each can be thickened by itself, with repair=True where it has other defects, and a slicer unites the solids.
     """
     return native.load().divide_into_sheets(vertices, triangles)
+
+
+def trim(
+    vertices: ArrayLike,
+    triangles: ArrayLike,
+    loops: Sequence[ArrayLike],
+    *,
+    keep: Sequence[float] | None = None,
+    smooth: int = 0,
+    threads: int = 0,
+    precision: Literal["single", "double"] = "single",
+    context: RunContext | None = None,
+) -> TrimmedMesh:
+    """Return the part of a surface that closed loops border, as docs/trim.md describes it.
+
+    `loops`: k × 3 points near the surface each; the last is joined to the first. `keep`: a point of the part that
+    stays; without it the part inside of the loops. `smooth`: rounds of rounding the corners of the loops, 0 to 5.
+    Triangles that no path divides stay bit for bit. Raises ThickenError where a loop cannot be followed, with the
+    place in its defects, and where the part is no valid surface.
+    """
+    if precision not in ("single", "double"):
+        raise ValueError(f"precision must be 'single' or 'double', not {precision!r}")
+    part = native.load().trim(
+        vertices, triangles, list(loops), keep=None if keep is None else tuple(map(float, keep)), smooth=smooth,
+        single=precision == "single", threads=threads, context=context,
+    )  # fmt: skip
+    return TrimmedMesh(**part)
 
 
 def weld_mesh(vertices: ArrayLike, triangles: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.int64]]:

@@ -42,6 +42,17 @@ def solids() -> list[Any]:
     return [obj for obj in members if is_mesh(obj) or is_shape(obj)]
 
 
+def surface_objects() -> list[Any]:
+    """The selected objects that surfaces() tells the parts of, without looking at facets."""
+    return [obj for obj in solids() if is_mesh(obj) or obj.Shape.Faces]
+
+
+def wires() -> list[Any]:
+    """The selected sketches and other shapes that have closed wires and no faces."""
+    shapes = [obj for obj in solids() if is_shape(obj) and not obj.Shape.Faces]
+    return [obj for obj in shapes if any(wire.isClosed() for wire in obj.Shape.Wires)]
+
+
 def printables() -> list[Any]:
     """solids(), and links to such: they can be measured and written where the link is."""
     return solids() + links()

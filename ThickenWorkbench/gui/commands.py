@@ -139,6 +139,31 @@ class RepairCommand(Command):
         repair([item.source for item in self.targets()])
 
 
+class TrimCommand(Command):
+    name = "Thicken_Trim"
+    icon = "trim_surface.svg"
+    menu = QT_TRANSLATE_NOOP("Thicken_Trim", "Trim Surface")
+    tip = QT_TRANSLATE_NOOP("Thicken_Trim", "Cut the part within closed wires out of a surface")
+    help = QT_TRANSLATE_NOOP(
+        "Thicken_Trim",
+        "Select a mesh or a shape, and sketches or wires near it. The new object follows them; its rim is where the wires are on the surface.",
+    )
+
+    def targets(self) -> list[Any]:
+        """The surface, and the wires after it."""
+        surfaces, wires = chosen.surface_objects()[:1], chosen.wires()
+        return [*surfaces, *wires] if surfaces and wires else []
+
+    def is_usable(self) -> bool:
+        return bool(self.targets())
+
+    def activate(self) -> None:
+        from .trimming import trim
+
+        source, *wires = self.targets()
+        trim(source, wires)
+
+
 class MapCommand(PanelCommand):
     panel = ("map_panel", "MapPanel")
     name = "Thicken_Map"
@@ -248,8 +273,8 @@ class StopCommand(Command):
         runs.cancel_all()
 
 
-COMMANDS = [MakeCommand, CheckCommand, RepairCommand, MapCommand, DrainCommand, ReportCommand, ExportCommand,
-            SolidCommand, StopCommand]  # fmt: skip
+COMMANDS = [MakeCommand, CheckCommand, RepairCommand, TrimCommand, MapCommand, DrainCommand, ReportCommand,
+            ExportCommand, SolidCommand, StopCommand]  # fmt: skip
 
 
 def register() -> list[str]:

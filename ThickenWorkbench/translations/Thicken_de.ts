@@ -908,6 +908,10 @@
         <source>Join</source>
         <translation>Verbindung</translation>
     </message>
+    <message>
+        <source>Trim Surface</source>
+        <translation>Fläche zuschneiden</translation>
+    </message>
 </context>
 <context>
     <name>ThickenPreferences</name>
@@ -1150,6 +1154,21 @@
     <message>
         <source>A feature that was being recomputed is without a solid until the next recompute.</source>
         <translation>Ein Objekt, das neu berechnet wurde, ist bis zur nächsten Neuberechnung ohne Körper.</translation>
+    </message>
+</context>
+<context>
+    <name>Thicken_Trim</name>
+    <message>
+        <source>Trim Surface</source>
+        <translation>Fläche zuschneiden</translation>
+    </message>
+    <message>
+        <source>Cut the part within closed wires out of a surface</source>
+        <translation>Den Teil innerhalb geschlossener Drähte aus einer Fläche schneiden</translation>
+    </message>
+    <message>
+        <source>Select a mesh or a shape, and sketches or wires near it. The new object follows them; its rim is where the wires are on the surface.</source>
+        <translation>Ein Netz oder eine Form wählen, dazu Skizzen oder Drähte in der Nähe. Das neue Objekt folgt ihnen; sein Rand liegt dort, wo die Drähte auf der Fläche sind.</translation>
     </message>
 </context>
 </TS>

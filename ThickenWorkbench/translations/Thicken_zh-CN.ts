@@ -908,6 +908,10 @@
         <source>Join</source>
         <translation>连接</translation>
     </message>
+    <message>
+        <source>Trim Surface</source>
+        <translation>修剪曲面</translation>
+    </message>
 </context>
 <context>
     <name>ThickenPreferences</name>
@@ -1150,6 +1154,21 @@
     <message>
         <source>A feature that was being recomputed is without a solid until the next recompute.</source>
         <translation>正在重新计算的对象在下次重新计算之前没有实体。</translation>
+    </message>
+</context>
+<context>
+    <name>Thicken_Trim</name>
+    <message>
+        <source>Trim Surface</source>
+        <translation>修剪曲面</translation>
+    </message>
+    <message>
+        <source>Cut the part within closed wires out of a surface</source>
+        <translation>从曲面上裁出闭合线框内的部分</translation>
+    </message>
+    <message>
+        <source>Select a mesh or a shape, and sketches or wires near it. The new object follows them; its rim is where the wires are on the surface.</source>
+        <translation>选择网格或形状，以及其附近的草图或线框。新对象会跟随它们；其边界位于线框在曲面上的位置。</translation>
     </message>
 </context>
 </TS>

@@ -13,6 +13,7 @@ void bindThicken(pybind11::module_& module);
 void bindDrill(pybind11::module_& module);
 void bindInspect(pybind11::module_& module);
 void bindRepair(pybind11::module_& module);
+void bindTrim(pybind11::module_& module);
 void bindFiles(pybind11::module_& module);
 
 }  // namespace thicken::python

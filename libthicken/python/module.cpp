@@ -12,5 +12,6 @@ PYBIND11_MODULE(_thicken, module) {
   thicken::python::bindDrill(module);
   thicken::python::bindInspect(module);
   thicken::python::bindRepair(module);
+  thicken::python::bindTrim(module);
   thicken::python::bindFiles(module);
 }

@@ -250,6 +250,21 @@ std::string toJson(const RepairFacts& facts) {
   return text(repairFacts(facts));
 }
 
+std::string toJson(const TrimFacts& facts) {
+  Json json = head("ok");
+  json["input"] = surfaceFacts(facts.input);
+  json["loops"] = Json::array();
+  for (const TrimFacts::Loop& loop : facts.loops)
+    json["loops"].push_back(
+        {{"points", loop.points}, {"path_mm", loop.length}, {"farthest_mm", loop.farthest}});
+  json["untouched_triangles"] = facts.untouched;
+  json["divided_triangles"] = facts.divided;
+  json["path_deviation_mm"] = facts.deviation;
+  json["surface"] = surfaceFacts(facts.surface);
+  json["warnings"] = facts.warnings;
+  return text(json);
+}
+
 std::string toJson(const CheckResult& result) {
   Json json = head(result.valid() ? "ok" : "refused");
   if (!result.valid()) {

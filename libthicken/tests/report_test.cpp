@@ -233,6 +233,9 @@ TEST(Report, EveryKeyIsDocumentedAndEveryDocumentedKeyIsThere) {
   std::set<std::string> keys;
   collectKeys(json::parse(toJson(sampleReport())), "", keys);
   collectKeys(json::parse(toJson(Error(ErrorCode::kNotManifold, "", {sampleDefect()}))), "", keys);
+  TrimFacts trimmed;
+  trimmed.loops.emplace_back();
+  collectKeys(json::parse(toJson(trimmed)), "", keys);
   keys.erase("seconds.check");
   keys.erase("seconds.sweep");
   keys.insert("seconds.<stage>");

@@ -156,5 +156,17 @@ class Success(ProgramCase):
         self.assertEqual(self.report()["defects"], [])
 
 
+    def test_a_unit_makes_millimetres_of_the_input(self):
+        vertices, triangles = wave(6)
+        write_off(self.folder / "inch.off", ([tuple(x / 25.4 for x in v) for v in vertices], triangles))
+        write_off(self.folder / "metre.off", ([tuple(x / 1000 for x in v) for v in vertices], triangles))
+        for name, unit in (("inch.off", "in"), ("metre.off", "m")):
+            run = self.run_program(name, "out.stl", "--thickness", 1, "--unit", unit, "--report", "report.json")
+            self.assert_ok(run)
+            self.assertAlmostEqual(self.report()["input"]["diagonal_mm"], 20 * 2**0.5, delta=1)
+            self.assertAlmostEqual(max(x for t in read_stl(self.folder / "out.stl") for v in t for x in v), 20, delta=0.7)
+        self.assertRegex(self.assert_fails(self.run_program("check", "inch.off", "--unit", "ft"), 2, "usage"), "mm, cm, m, in")
+
+
 if __name__ == "__main__":
     unittest.main()

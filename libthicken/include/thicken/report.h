@@ -10,6 +10,7 @@
 #include "thicken/error.h"
 #include "thicken/inspect.h"
 #include "thicken/result.h"
+#include "thicken/trim.h"
 
 namespace thicken {
 
@@ -23,6 +24,7 @@ struct FileFacts {
 [[nodiscard]] std::string toJson(const Error& error, const FileFacts& files = {});
 [[nodiscard]] std::string toJson(const CheckResult& result);
 [[nodiscard]] std::string toJson(const RepairFacts& facts);
+[[nodiscard]] std::string toJson(const TrimFacts& facts);
 /// Of a run sheet by sheet: the report of each.
 [[nodiscard]] std::string toJson(std::span<const Report> sheets, const FileFacts& files = {});
 [[nodiscard]] std::string toJson(const Inspection& inspection);  ///< without the shell of each triangle

@@ -24,6 +24,7 @@
 #include "thicken/result.h"
 #include "thicken/run_context.h"
 #include "thicken/sheets.h"
+#include "thicken/trim.h"
 
 namespace thicken {
 

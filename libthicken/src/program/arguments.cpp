@@ -4,7 +4,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "plan.h"
@@ -84,9 +86,24 @@ void addChoice(CLI::App& app, const std::string& flag, Target& value, const std:
   app.add_option_function<std::string>(flag, choose, help + ": " + list)->type_name("WORD");
 }
 
+// mm
+double toUnit(const std::string& word) {
+  constexpr std::array<std::pair<std::string_view, double>, 4> kUnits{
+      {{"mm", 1}, {"cm", 10}, {"m", 1000}, {"in", 25.4}}};
+  const auto* found =
+      std::find_if(kUnits.begin(), kUnits.end(), [&](const auto& u) { return u.first == word; });
+  if (found == kUnits.end())
+    throw CLI::ValidationError("--unit", "it must be one of mm, cm, m, in, not " + word);
+  return found->second;
+}
+
 void describeRun(CLI::App& app, Arguments& arguments, double& memory) {
   app.add_option("--report", arguments.report, "Write the facts of the run to this file, as JSON")
       ->type_name("FILE");
+  app.add_option_function<std::string>(
+         "--unit", [&arguments](const std::string& word) { arguments.unit = toUnit(word); },
+         "Unit of the numbers of the input, which become millimetres: mm, cm, m, in; default: mm")
+      ->type_name("WORD");
   app.add_option("--threads", arguments.options.threads, "Threads; 0: all that the machine has")
       ->check(threadNumber())
       ->type_name("T");
@@ -104,7 +121,8 @@ void describeRun(CLI::App& app, Arguments& arguments, double& memory) {
 void describeThicken(CLI::App& app, Arguments& arguments) {
   app.description(
       "Turns an open surface into a printable solid that keeps every triangle of the surface.\n"
-      "Lengths are millimetres. `thicken check INPUT` examines a surface only.");
+      "Lengths are millimetres. `thicken check INPUT` examines a surface only, `thicken trim` cuts a part "
+      "out.");
   app.add_option("INPUT", arguments.input, "Surface: .stl, .ply, .obj or .off")->required()->type_name("");
   app.add_option("OUTPUT", arguments.output, "Solid: .stl, .ply, .obj, .off or .3mf")
       ->required()
@@ -160,15 +178,56 @@ void describeCheck(CLI::App& app, Arguments& arguments) {
   app.add_option("INPUT", arguments.input, "Surface: .stl, .ply, .obj or .off")->required()->type_name("");
 }
 
+// "X,Y,Z"
+Vec3 toPoint(const std::string& text) {
+  Vec3 point;
+  std::size_t begin = 0;
+  for (int k = 0; k < 3; ++k) {
+    const std::size_t end = k < 2 ? text.find(',', begin) : text.size();
+    if (end == std::string::npos || !CLI::detail::lexical_cast(text.substr(begin, end - begin), point[k]) ||
+        !std::isfinite(point[k]))
+      throw CLI::ValidationError("--keep",
+                                 "it must be three numbers with commas, such as 1.5,0,-20, not " + text);
+    begin = end + 1;
+  }
+  return point;
+}
+
+void describeTrim(CLI::App& app, Arguments& arguments) {
+  app.description(
+      "Cuts a part out of a surface along loops that run on it, and keeps all other triangles of it.");
+  app.add_option("INPUT", arguments.input, "Surface: .stl, .ply, .obj or .off")->required()->type_name("");
+  app.add_option("OUTPUT", arguments.output, "Part: .stl, .ply, .obj, .off or .3mf")
+      ->required()
+      ->type_name("");
+  app.add_option("--loop", arguments.loops,
+                 "Closed line near the surface: a text file with a point, three numbers, on each line")
+      ->required()
+      ->expected(1, 1000)
+      ->type_name("FILE");
+  app.add_option_function<std::string>(
+         "--keep", [&arguments](const std::string& text) { arguments.trim.keep = toPoint(text); },
+         "Point of the part that stays, mm; default: inside of the loops")
+      ->type_name("X,Y,Z");
+  app.add_option("--smooth", arguments.trim.smooth, "Rounds of rounding the corners of the loops")
+      ->type_name("ROUNDS");
+}
+
 // What is written beside the result must not take the place of a file of the user's, nor of the result.
 void refuseSharedPaths(const Arguments& arguments) {
   const auto taken = [&](const std::filesystem::path& path) {
-    return samePath(path, arguments.input) || samePath(path, arguments.output);
+    return samePath(path, arguments.input) || samePath(path, arguments.output) ||
+           std::any_of(arguments.loops.begin(), arguments.loops.end(),
+                       [&](const std::filesystem::path& loop) { return samePath(path, loop); });
   };
   if (taken(arguments.report) || samePath(arguments.report, arguments.repaired))
     throw Error(
         ErrorCode::kInvalidArgument,
         "--report names a file that the run reads or writes itself; give the report a name of its own");
+  if (std::any_of(arguments.loops.begin(), arguments.loops.end(),
+                  [&](const std::filesystem::path& loop) { return samePath(arguments.output, loop); }))
+    throw Error(ErrorCode::kInvalidArgument,
+                "OUTPUT names the file of a loop; give the part a name of its own");
   if (taken(arguments.repaired))
     throw Error(
         ErrorCode::kInvalidArgument,
@@ -221,16 +280,19 @@ bool samePath(const std::filesystem::path& a, const std::filesystem::path& b) {
 
 Request readArguments(int argc, const char* const* argv) {
   Arguments arguments;
-  const bool check = argc > 1 && std::string_view(argv[1]) == "check";
-  arguments.command = check ? Command::kCheck : Command::kThicken;
-  const std::string command = check ? "thicken check" : "thicken";
+  const std::string_view word = argc > 1 ? argv[1] : "";
+  const bool check = word == "check", trim = word == "trim";
+  arguments.command = check ? Command::kCheck : trim ? Command::kTrim : Command::kThicken;
+  const std::string command = check ? "thicken check" : trim ? "thicken trim" : "thicken";
   CLI::App app("", command);
   app.allow_windows_style_options(false);  // "/tmp/scan.ply" is a file there, too
   double memory = 0;
-  check ? describeCheck(app, arguments) : describeThicken(app, arguments);
+  check ? describeCheck(app, arguments)
+        : (trim ? describeTrim(app, arguments) : describeThicken(app, arguments));
   describeRun(app, arguments, memory);
   try {
-    app.parse(argc - (check ? 1 : 0), argv + (check ? 1 : 0));
+    const int words = check || trim ? 1 : 0;
+    app.parse(argc - words, argv + words);
   } catch (const CLI::CallForHelp&) {
     return {{}, app.help()};
   } catch (const CLI::CallForVersion& version) {
@@ -238,7 +300,7 @@ Request readArguments(int argc, const char* const* argv) {
   } catch (const CLI::ParseError& error) {
     throw usageError(error, command);
   }
-  if (!check) requireValid(arguments.options);
+  if (!check && !trim) requireValid(arguments.options);
   if (!arguments.repaired.empty() && !arguments.options.repair)
     throw Error(ErrorCode::kInvalidArgument, "--repaired writes what --repair makes; give --repair, too");
   if (!arguments.repaired.empty() && arguments.sheets)

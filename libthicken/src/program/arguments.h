@@ -10,15 +10,16 @@
 #include <vector>
 
 #include "thicken/options.h"
+#include "thicken/trim.h"
 
 namespace thicken::program {
 
-enum class Command { kThicken, kCheck };
+enum class Command { kThicken, kCheck, kTrim };
 
 struct Arguments {
   Command command = Command::kThicken;
   std::filesystem::path input;
-  std::filesystem::path output;    ///< kThicken only
+  std::filesystem::path output;    ///< not of kCheck
   std::filesystem::path report;    ///< empty: none
   std::filesystem::path repaired;  ///< kThicken only: where the repaired surface goes; empty: nowhere
   Options options;                 ///< kThicken only; precision follows from the output
@@ -27,8 +28,11 @@ struct Arguments {
   bool skipIfSame = false;         ///< kThicken only: not to make once more what is there
   std::vector<std::string> given;  ///< the options that the output depends on, as they were given
   bool limitGiven = false;         ///< whether it was asked for, and is not just what the machine has
+  double unit = 1;                 ///< mm, of the numbers of the input and of loops
   bool quiet = false;
-  bool sheets = false;  ///< kThicken only: a solid for each sheet of the surface
+  bool sheets = false;                       ///< kThicken only: a solid for each sheet of the surface
+  std::vector<std::filesystem::path> loops;  ///< kTrim only
+  TrimOptions trim;                          ///< kTrim only; precision follows from the output
 };
 
 /// What the command line asks for: a run, or a text that answers it (--help, --version).

@@ -30,8 +30,17 @@ int run(int argc, const char* const* argv, bool& quiet) {
   context.setTimeLimit(request.arguments->timeLimit);
   request.arguments->limitGiven ? returnFreedArrays(request.arguments->memoryLimit) : keepFreedMemory();
   cancelOnInterrupt(context);
-  request.arguments->command == Command::kCheck ? runCheck(*request.arguments, context)
-                                                : runThicken(*request.arguments, context);
+  switch (request.arguments->command) {
+    case Command::kCheck:
+      runCheck(*request.arguments, context);
+      break;
+    case Command::kTrim:
+      runTrim(*request.arguments, context);
+      break;
+    case Command::kThicken:
+      runThicken(*request.arguments, context);
+      break;
+  }
   return EXIT_SUCCESS;
 }
 

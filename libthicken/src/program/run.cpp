@@ -35,6 +35,8 @@ TriangleMesh readSurface(const Arguments& arguments, RunContext& context,
   context.enter(Stage::kReading, 0, kReadShare, 0);
   auto [surface, passedOver] = readMeshFile(arguments.input);
   warnings.insert(warnings.end(), passedOver.begin(), passedOver.end());
+  if (arguments.unit != 1)
+    for (Vec3& p : surface.positions) p *= arguments.unit;
   context.throwIfCancelled();
   return surface;
 }
@@ -179,6 +181,28 @@ CheckResult checkSurface(const Arguments& arguments, RunContext& context,
   return result;
 }
 
+TrimmedSurface trimSurface(const Arguments& arguments, RunContext& context,
+                           std::vector<std::string>& warnings) {
+  const ProgressLine line(context, arguments.quiet);
+  std::vector<TrimLoop> loops;
+  for (const std::filesystem::path& path : arguments.loops) {
+    loops.push_back(readLoop(path));
+    for (Vec3& p : loops.back()) p *= arguments.unit;
+  }
+  const TriangleMesh surface = readSurface(arguments, context, warnings);
+  TrimOptions options = arguments.trim;
+  if (options.keep) *options.keep *= arguments.unit;
+  options.precision = storedPrecision(arguments.output);
+  context.setPart(kReadShare, kWriteShare);
+  TrimmedSurface part = trim(surface, loops, options, context, arguments.options.threads);
+  context.throwIfCancelled();
+  context.setPart(kWriteShare, 1);
+  context.enter(Stage::kWriting, 0, 1, 0);
+  writeMesh(arguments.output, part.mesh);
+  part.facts.warnings.insert(part.facts.warnings.begin(), warnings.begin(), warnings.end());
+  return part;
+}
+
 void printSummary(const std::filesystem::path& path, const Report& report) {
   std::cout << oneLine(path.string()) << ": " << report.triangles << " triangles, " << report.volume / 1000
             << " mL, thinnest wall " << report.thinnestWall << " of " << report.thickness << " mm"
@@ -284,6 +308,21 @@ void runCheck(const Arguments& arguments, RunContext context) {
   if (arguments.quiet) return;
   if (const std::string join = joinOf(*result.nearRims); !join.empty()) std::cout << join << '\n';
   printSummary(arguments, result.facts);
+}
+
+void runTrim(const Arguments& arguments, RunContext context) {
+  if (!arguments.report.empty()) requireFolderFor(arguments.report);
+  TrimmedSurface part;
+  withReport(arguments, {}, [&](std::vector<std::string>& warnings) {
+    requireFiles(arguments);
+    part = trimSurface(arguments, context, warnings);
+  });
+  writeReport(arguments, toJson(part.facts));
+  printWarnings(arguments, part.facts.warnings);
+  if (arguments.quiet) return;
+  std::cout << oneLine(arguments.output.string()) << ": " << part.mesh.triangles.size() << " triangles, "
+            << part.facts.untouched << " of them the surface's own, " << part.facts.surface.area << " mm2, "
+            << part.facts.surface.rims << (part.facts.surface.rims == 1 ? " rim\n" : " rims\n");
 }
 
 }  // namespace thicken::program

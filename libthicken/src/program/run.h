@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// The two commands of the program. Both throw Error, and write the report whatever comes of the run.
+// The commands of the program. They throw Error, and write the report whatever comes of the run.
 #pragma once
 
 #include "program/arguments.h"
@@ -11,6 +11,7 @@ namespace thicken::program {
 
 void runThicken(const Arguments& arguments, RunContext context);
 void runCheck(const Arguments& arguments, RunContext context);
+void runTrim(const Arguments& arguments, RunContext context);
 
 /// What an exception of any other type is told as.
 [[nodiscard]] Error brokenRule();
