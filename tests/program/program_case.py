@@ -21,7 +21,7 @@ class ProgramCase(unittest.TestCase):
         self.folder = Path(folder.name)
 
     def run_program(self, *arguments) -> subprocess.CompletedProcess:
-        return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, errors="replace",
+        return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, encoding="utf-8", errors="replace",
                               cwd=self.folder, timeout=120)  # fmt: skip
 
     def names(self) -> set[str]:
