@@ -325,6 +325,10 @@ class ThickenPanel(Panel):
                 lines.append(f"{reference}.{name} = {value!r}")
         return [*lines, f"{macro.DOCUMENT}.recompute()"]
 
+    def forget_runs(self) -> None:
+        super().forget_runs()
+        self._preview.cancel()
+
     def leave_view(self) -> None:
         """Take away all that is drawn over the objects."""
         if self._picker is not None:
