@@ -12,6 +12,7 @@ import unittest
 from pathlib import Path
 
 PROGRAM = os.environ["THICKEN_PROGRAM"]
+UNDER_WINE = "THICKEN_UNDER_WINE" in os.environ
 
 
 class ProgramCase(unittest.TestCase):
