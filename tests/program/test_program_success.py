@@ -5,7 +5,7 @@ import math
 import re
 import unittest
 
-from program_case import ProgramCase
+from program_case import UNDER_WINE, ProgramCase
 from surfaces import SQUARE, read_stl, turned_to_start, wave, write_off, write_ply
 
 
@@ -20,6 +20,7 @@ class Success(ProgramCase):
         self.assert_ok(self.run_program("in.off", "out.3mf", "--thickness", 1))
         self.assertEqual((self.folder / "out.3mf").read_bytes()[:2], b"PK", "a 3MF is a zip archive")
 
+    @unittest.skipIf(UNDER_WINE, "where no locale but C is installed, Wine takes other letters for these")
     def test_names_in_any_writing(self):
         write_off(self.folder / "Fläche 面.off", SQUARE)
         run = self.run_program("Fläche 面.off", "Körper 体.stl", "--thickness", 1)
