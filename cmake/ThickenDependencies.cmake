@@ -1,9 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 #
 # What the library links. Found at the top, so that every folder sees the targets.
-find_package(Eigen3 3.4 REQUIRED NO_MODULE)
-find_package(fmt 9 REQUIRED)
-find_package(nlohmann_json 3.10 REQUIRED)
+if(CMAKE_CROSSCOMPILING)
+  include(ThickenHostHeaders)
+else()
+  find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+  find_package(fmt 9 REQUIRED)
+  find_package(nlohmann_json 3.10 REQUIRED)
+  if(THICKEN_PROGRAM)
+    find_package(CLI11 REQUIRED)
+  endif()
+endif()
 if(THICKEN_SELF_CONTAINED)
   set(ZLIB_USE_STATIC_LIBS ON)
   include(ThickenLibZipSource)

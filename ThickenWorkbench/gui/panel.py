@@ -18,6 +18,7 @@ class Panel:
     form: Any
     run_row: RunRow | None = None  #: where a run shows its progress
     _job: Job | None = None  #: the run whose result the panel waits for
+    _timer: Any = None  #: until the next run, where there is a pause before it
     _closed = False
 
     def getStandardButtons(self) -> Any:
@@ -95,7 +96,13 @@ class Panel:
         """The widgets are gone."""
         if self._closed:
             return
+        self.forget_runs()
+        QtCore.QTimer.singleShot(0, self.close)  # when FreeCAD has finished with the dialog
+
+    def forget_runs(self) -> None:
+        """None of them may tell the widgets anything any more."""
+        if self._timer is not None:
+            self._timer.stop()
         if self._job is not None:
             self._job.abandon()
             self._job = None
-        QtCore.QTimer.singleShot(0, self.close)  # when FreeCAD has finished with the dialog

@@ -99,11 +99,11 @@ class ThickenForm:
         on_value(self.thickness, lambda _: self._edited())
         rows.addRow(translate("Thicken", "Thickness"), self.thickness)
         self.side = self._choice("Side", [
-            translate("Thicken", "Negative: behind the surface"),
-            translate("Thicken", "Positive: where the normals point"),
-            translate("Thicken", "Both: the surface is the middle"),
+            translate("Thicken", "Negative (behind)"),
+            translate("Thicken", "Positive (in front)"),
+            translate("Thicken", "Both sides"),
         ])  # fmt: skip
-        self.side.setToolTip(translate("Thicken", "Where the material lies; a click on the arrow in the view flips it"))
+        self.side.setToolTip(translate("Thicken", "Where the material lies; normals point to the front. A click on the arrow in the view flips it"))
         self.flip = _named(QtWidgets.QPushButton(translate("Thicken", "Flip")), "Flip")
         self.flip.clicked.connect(self.flip_side)
         both = QtWidgets.QVBoxLayout()
@@ -129,7 +129,7 @@ class ThickenForm:
         ])  # fmt: skip
         self.quality.setCurrentIndex(QUALITIES.index("standard"))
         self.quality.setToolTip(
-            translate("Thicken", "Draft makes the fewest triangles, Fine follows the thickness most closely")
+            translate("Thicken", "How closely parts of the shell that have to be rebuilt follow the thickness; a moved copy of the surface is the same in all")
         )
         rows.addRow(translate("Thicken", "Quality"), self.quality)
         self.tolerance = _named(length_box(0.05), "Tolerance")
@@ -146,8 +146,7 @@ class ThickenForm:
 
     def _add_advanced(self, column: Any) -> None:
         """What only some need, folded away."""
-        self.advanced = _named(QtWidgets.QPushButton(translate("Thicken", "Advanced")), "Advanced")
-        self.advanced.setCheckable(True)
+        self.advanced = _named(QtWidgets.QCheckBox(translate("Thicken", "Advanced")), "Advanced")
         self.advanced_rows = QtWidgets.QWidget()
         self.advanced.toggled.connect(self.advanced_rows.setVisible)
         rows = _rows()
@@ -174,6 +173,15 @@ class ThickenForm:
             translate("Thicken", "Outside of convex edges: sharp, as planes that meet, or rounded, which takes many more triangles")
         )
         rows.addRow(translate("Thicken", "Join"), self.join)
+        self.simplify = self._choice("Simplify", [
+            translate("Thicken", "Shell and walls"),
+            translate("Thicken", "None"),
+            translate("Thicken", "Shell only"),
+        ])  # fmt: skip
+        self.simplify.setToolTip(
+            translate("Thicken", "Where new triangles are merged into fewer, as far as the quality allows")
+        )
+        rows.addRow(translate("Thicken", "Fewer triangles"), self.simplify)
         self.grid = self._choice("Grid", [
             translate("Thicken", "By the quality"),
             translate("Thicken", "Cell width"),
@@ -229,6 +237,7 @@ class ThickenForm:
             "side": params.SIDES[self.side.currentIndex()].lower(),
             "method": params.METHODS[self.method.currentIndex()].lower(),
             "join": params.JOINS[self.join.currentIndex()].lower() if self.join.currentIndex() else None,
+            "simplify": params.SIMPLIFY[self.simplify.currentIndex()].lower() if self.simplify.currentIndex() else None,
             **self._quality(),
             "smooth": None if self.smooth.value() == AUTOMATIC else self.smooth.value(),
             "repair": self.repair.isChecked(),
@@ -259,6 +268,7 @@ class ThickenForm:
         self.side.setCurrentIndex([side.lower() for side in params.SIDES].index(inputs["side"]))
         self.method.setCurrentIndex([method.lower() for method in params.METHODS].index(inputs["method"]))
         self.join.setCurrentIndex([join.lower() for join in params.JOINS].index(inputs.get("join") or "automatic"))
+        self.simplify.setCurrentIndex([word.lower() for word in params.SIMPLIFY].index(inputs.get("simplify") or "auto"))
         self.show_quality(inputs)
         smooth = inputs.get("smooth")
         self.smooth.setValue(AUTOMATIC if smooth is None else smooth)
@@ -277,7 +287,8 @@ class ThickenForm:
                 field.setProperty("rawValue", inputs[name])
         if "resolution" in inputs:
             self.cells.setValue(inputs["resolution"])
-        if self.grid.currentIndex() or inputs["method"] != "auto" or inputs.get("join") or inputs.get("smooth") is not None:
+        words = inputs.get("join") or inputs.get("simplify")
+        if self.grid.currentIndex() or inputs["method"] != "auto" or words or inputs.get("smooth") is not None:
             self.advanced.setChecked(True)
 
     def start_with(self, side: int, output: int) -> None:
@@ -296,8 +307,8 @@ class ThickenForm:
     def show_running(self, running: bool) -> None:
         """Progress and its button belong to a run, and nothing can be edited while it lasts."""
         self.run_row.show_running(running)
-        inputs = (self.pick, self.thickness, self.side, self.flip, self.method, self.join, self.quality, self.tolerance, self.grid,
-                  self.length, self.cells, self.smooth, self.deflection, self.repair, self.preview)  # fmt: skip
+        inputs = (self.pick, self.thickness, self.side, self.flip, self.method, self.join, self.simplify, self.quality,
+                  self.tolerance, self.grid, self.length, self.cells, self.smooth, self.deflection, self.repair, self.preview)  # fmt: skip
         for widget in inputs:
             widget.setEnabled(not running)
         self.output.setEnabled(not running and not self.edits)

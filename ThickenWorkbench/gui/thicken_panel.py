@@ -14,13 +14,14 @@ from typing import Any, Callable
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from .. import build, numbers, params, precomputed, prediction, preferences, runs
+from .. import build, numbers, precomputed, prediction, preferences, runs
 from thicken.arrays import ThickenedMesh, size_of, thicken_mesh
 from ..part_solid import part_solid_of, size_warning
 from ..sources import DEFAULT_DEFLECTION
 from . import macro, messages
 from .camera import view_of
 from .chosen import Chosen, is_mesh, is_shape
+from .feature_inputs import changes, in_mm, inputs_of
 from .job import Job
 from .looks import Looks
 from .panel import Panel
@@ -31,9 +32,6 @@ from .surfaces import arguments_of, surface_of
 from .thicken_form import OUTPUTS, ThickenForm
 
 translate = App.Qt.translate
-
-_NAMES = {"thickness": "Thickness", "side": "Side", "method": "Method", "join": "Join", "smooth": "Smooth", "repair": "Repair",
-          "cell": "Cell", "resolution": "Resolution", "tolerance": "Tolerance", "deflection": "Deflection"}  # fmt: skip
 
 
 class ThickenPanel(Panel):
@@ -140,7 +138,7 @@ class ThickenPanel(Panel):
 
     def _show_start(self) -> None:
         if self.feature is not None:
-            self.form_parts.set_inputs(_inputs_of(self.feature))
+            self.form_parts.set_inputs(inputs_of(self.feature))
             self.form_parts.output.setCurrentIndex(0 if part_solid_of(self.feature) is None else 1)
             return
         self.form_parts.start_with(preferences.get("Side"), preferences.get("Output"))
@@ -299,7 +297,7 @@ class ThickenPanel(Panel):
 
     def _make_lines(self) -> list[str]:
         inputs = self.form_parts.inputs()
-        inputs["thickness"] = _length(inputs["thickness"])
+        inputs["thickness"] = in_mm(inputs["thickness"])
         given = {name: value for name, value in inputs.items() if value is not None and value is not False}
         if self.form_parts.output_word() != OUTPUTS[0]:
             given["output"] = self.form_parts.output_word()
@@ -315,17 +313,21 @@ class ThickenPanel(Panel):
     def _edit_lines(self) -> list[str]:
         reference = macro.reference(self.feature)
         lines = []
-        before, after = _inputs_of(self.feature), self.form_parts.inputs()
+        before, after = inputs_of(self.feature), self.form_parts.inputs()
         facets = list(self.chosen[0].facets)
         if is_mesh(self.feature.Source) and facets != list(self.feature.Facets):
             lines.append(f"{reference}.Facets = {facets!r}")
         expression = self.form_parts.expression()
         if expression != self._expression:
             lines.append(f"{reference}.setExpression('Thickness', {expression or None!r})")
-        for word, value in _changes(before, after):
-            if word != "thickness" or not expression:
-                lines.append(f"{reference}.{_NAMES.get(word, word)} = {value!r}")
+        for name, value in changes(before, after):
+            if name != "Thickness" or not expression:
+                lines.append(f"{reference}.{name} = {value!r}")
         return [*lines, f"{macro.DOCUMENT}.recompute()"]
+
+    def forget_runs(self) -> None:
+        super().forget_runs()
+        self._preview.cancel()
 
     def leave_view(self) -> None:
         """Take away all that is drawn over the objects."""
@@ -353,47 +355,5 @@ class ThickenPanel(Panel):
                 gui.resetEdit()
 
 
-def _length(value: float) -> str:
-    return f"{value:.9g} mm"
-
-
 def _expression_of(obj: Any) -> str:
     return dict((path, text) for path, text, *_ in obj.ExpressionEngine).get("Thickness", "")
-
-
-def _inputs_of(feature: Any) -> dict[str, Any]:
-    """The inputs of a feature, as ThickenForm.inputs() has them."""
-    found = params.arguments(feature)
-    found.pop("precision")
-    found["join"] = None if feature.Join == "Automatic" else feature.Join.lower()
-    word = feature.Quality.lower()
-    if word in params.QUALITIES:
-        found.pop("cell", None)
-        found |= {} if word == "standard" else {"quality": word}
-    deflection = feature.Deflection.Value if is_shape(feature.Source) else None
-    return {"smooth": None, **found, "deflection": deflection}
-
-
-def _quality_of(inputs: dict[str, Any]) -> str:
-    """The property Quality for the inputs of a form."""
-    number = next((word for word in ("cell", "resolution", "tolerance") if word in inputs), None)
-    return (number or inputs.get("quality", "standard")).capitalize()
-
-
-def _changes(before: dict[str, Any], after: dict[str, Any]) -> list[tuple[str, Any]]:
-    """Properties to set, as name or word and value."""
-    changes: list[tuple[str, Any]] = []
-    if _quality_of(before) != _quality_of(after):
-        changes.append(("Quality", _quality_of(after)))
-    for word, value in after.items():
-        if before.get(word) == value or word == "quality":
-            continue
-        if word in ("side", "method", "join"):
-            changes.append((word, str(value or "automatic").capitalize()))
-        elif word in ("thickness", "cell", "tolerance", "deflection"):
-            changes.append((word, _length(value)))
-        elif word == "smooth":
-            changes.append((word, -1 if value is None else value))
-        else:
-            changes.append((word, value))
-    return changes

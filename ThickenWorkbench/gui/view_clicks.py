@@ -11,8 +11,8 @@ import FreeCADGui as Gui
 
 from .qt import QtCore
 
-# A click is over by then.
-_CLICK_MS = 500
+# A click is over by then, also on a busy machine.
+_CLICK_MS = 2000
 
 
 class ViewClicks:

@@ -242,22 +242,6 @@
         <translation>Dicke</translation>
     </message>
     <message>
-        <source>Negative: behind the surface</source>
-        <translation>Negativ: hinter der Fläche</translation>
-    </message>
-    <message>
-        <source>Positive: where the normals point</source>
-        <translation>Positiv: wohin die Normalen zeigen</translation>
-    </message>
-    <message>
-        <source>Both: the surface is the middle</source>
-        <translation>Beide: Die Fläche ist die Mitte</translation>
-    </message>
-    <message>
-        <source>Where the material lies; a click on the arrow in the view flips it</source>
-        <translation>Wo das Material liegt; ein Klick auf den Pfeil in der Ansicht wechselt die Seite</translation>
-    </message>
-    <message>
         <source>Flip</source>
         <translation>Umdrehen</translation>
     </message>
@@ -685,10 +669,6 @@
         <translation>Mit Toleranz</translation>
     </message>
     <message>
-        <source>Draft makes the fewest triangles, Fine follows the thickness most closely</source>
-        <translation>Entwurf macht die wenigsten Dreiecke, Fein folgt der Dicke am genauesten</translation>
-    </message>
-    <message>
         <source>The farthest that the new shell may be from where it should be; what cannot be kept is refused</source>
         <translation>Wie weit die neue Schale höchstens von ihrem Ort abweichen darf; was nicht einzuhalten ist, wird abgelehnt</translation>
     </message>
@@ -911,6 +891,46 @@
     <message>
         <source>Trim Surface</source>
         <translation>Fläche zuschneiden</translation>
+    </message>
+    <message>
+        <source>Where new triangles are merged into fewer, as far as the quality allows</source>
+        <translation>Wo neue Dreiecke zu weniger zusammengefasst werden, soweit die Qualität es erlaubt</translation>
+    </message>
+    <message>
+        <source>Fewer triangles</source>
+        <translation>Weniger Dreiecke</translation>
+    </message>
+    <message>
+        <source>How closely parts of the shell that have to be rebuilt follow the thickness; a moved copy of the surface is the same in all</source>
+        <translation>Wie genau Teile der Schale, die neu gebildet werden müssen, der Dicke folgen; eine versetzte Kopie der Fläche ist in allen gleich</translation>
+    </message>
+    <message>
+        <source>Negative (behind)</source>
+        <translation>Negativ (dahinter)</translation>
+    </message>
+    <message>
+        <source>Positive (in front)</source>
+        <translation>Positiv (davor)</translation>
+    </message>
+    <message>
+        <source>Both sides</source>
+        <translation>Beide Seiten</translation>
+    </message>
+    <message>
+        <source>Where the material lies; normals point to the front. A click on the arrow in the view flips it</source>
+        <translation>Wo das Material liegt; die Normalen zeigen nach vorn. Ein Klick auf den Pfeil in der Ansicht dreht es um</translation>
+    </message>
+    <message>
+        <source>Shell and walls</source>
+        <translation>Schale, Wände</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Shell only</source>
+        <translation>Nur Schale</translation>
     </message>
 </context>
 <context>

@@ -242,22 +242,6 @@
         <translation>厚度</translation>
     </message>
     <message>
-        <source>Negative: behind the surface</source>
-        <translation>负侧：曲面背后</translation>
-    </message>
-    <message>
-        <source>Positive: where the normals point</source>
-        <translation>正侧：法线所指一侧</translation>
-    </message>
-    <message>
-        <source>Both: the surface is the middle</source>
-        <translation>两侧：曲面居中</translation>
-    </message>
-    <message>
-        <source>Where the material lies; a click on the arrow in the view flips it</source>
-        <translation>材料所在的一侧；单击视图中的箭头可翻转</translation>
-    </message>
-    <message>
         <source>Flip</source>
         <translation>翻转</translation>
     </message>
@@ -685,10 +669,6 @@
         <translation>按公差</translation>
     </message>
     <message>
-        <source>Draft makes the fewest triangles, Fine follows the thickness most closely</source>
-        <translation>草稿产生的三角形最少，精细最贴近厚度</translation>
-    </message>
-    <message>
         <source>The farthest that the new shell may be from where it should be; what cannot be kept is refused</source>
         <translation>新壳偏离应有位置的最大距离；无法满足时将被拒绝</translation>
     </message>
@@ -911,6 +891,46 @@
     <message>
         <source>Trim Surface</source>
         <translation>修剪曲面</translation>
+    </message>
+    <message>
+        <source>Where new triangles are merged into fewer, as far as the quality allows</source>
+        <translation>在质量允许的范围内，在何处将新三角形合并为更少的三角形</translation>
+    </message>
+    <message>
+        <source>Fewer triangles</source>
+        <translation>减少三角形</translation>
+    </message>
+    <message>
+        <source>How closely parts of the shell that have to be rebuilt follow the thickness; a moved copy of the surface is the same in all</source>
+        <translation>需要重建的壳部分与厚度的吻合程度；曲面的偏移副本在各档中都相同</translation>
+    </message>
+    <message>
+        <source>Negative (behind)</source>
+        <translation>负侧（背后）</translation>
+    </message>
+    <message>
+        <source>Positive (in front)</source>
+        <translation>正侧（前方）</translation>
+    </message>
+    <message>
+        <source>Both sides</source>
+        <translation>两侧</translation>
+    </message>
+    <message>
+        <source>Where the material lies; normals point to the front. A click on the arrow in the view flips it</source>
+        <translation>材料所在的一侧；法线指向前方。单击视图中的箭头可翻转</translation>
+    </message>
+    <message>
+        <source>Shell and walls</source>
+        <translation>壳和壁</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Shell only</source>
+        <translation>仅壳</translation>
     </message>
 </context>
 <context>

@@ -65,6 +65,12 @@ def main_window():
     return Gui.getMainWindow()
 
 
+def dark_sheet() -> str:
+    """The dark style sheet that FreeCAD brings: 0.20 and 1.0 have their own."""
+    folder = Path(App.getResourceDir()) / "Gui" / "Stylesheets"
+    return next(folder / name for name in ("Behave-dark.qss", "FreeCAD Dark.qss") if (folder / name).is_file()).read_text()
+
+
 class GuiCase(unittest.TestCase):
     """Closes whatever a test leaves open; message boxes are closed and their texts kept."""
 

@@ -2,20 +2,16 @@
 """Takes a picture of every panel, narrow and wide, light and dark, in every language, to be looked at:
 `THICKEN_GUI_PICTURES=folder tests/freecad/run-gui gui_panels`."""
 
-from pathlib import Path
-
-import FreeCAD as App
 import FreeCADGui as Gui
 import Mesh
 from PySide import QtCore, QtGui
 
 import ThickenWorkbench
-from gui_case import GuiCase, main_window, process_events, wait_until
+from gui_case import GuiCase, dark_sheet, main_window, process_events, wait_until
 from thicken_surfaces import crossing_plates
 
 LANGUAGES = {"en": "English", "de": "German", "zh": "Chinese Simplified"}
 WIDTHS = (264, 370)
-DARK = Path(App.getResourceDir()) / "Gui" / "Stylesheets" / "Behave-dark.qss"
 
 
 class Panels(GuiCase):
@@ -50,7 +46,7 @@ class Panels(GuiCase):
         self.addCleanup(QtGui.QApplication.instance().setStyleSheet, "")
         panels = self.panels()
         for theme in ("light", "dark"):
-            QtGui.QApplication.instance().setStyleSheet(DARK.read_text() if theme == "dark" else "")
+            QtGui.QApplication.instance().setStyleSheet(dark_sheet() if theme == "dark" else "")
             for language, name in LANGUAGES.items():
                 Gui.setLocale(name)
                 for label, command, target in panels:

@@ -14,7 +14,7 @@ from ThickenWorkbench.gui.region_colours import painted
 from ThickenWorkbench.gui.repair_marks import ADDED, REMOVED, WELDED, marks
 from ThickenWorkbench.repair_feature import repair_step
 from ThickenWorkbench.sources import surface_arrays
-from gui_case import GuiCase, process_events, wait_until
+from gui_case import GuiCase, dark_sheet, process_events, wait_until
 from thicken_surfaces import crossing_plates, plate, saddle, together
 
 
@@ -70,9 +70,12 @@ class ClosedByAMacro(GuiCase):
         source = self.add_mesh(plate())
         self.select(source)
         panel = self.run_command("Thicken_Make")
+        self.assertTrue(panel._preview.busy())
+        busy = []
+        panel.form.destroyed.connect(lambda *_: busy.append(panel._preview.busy()))
         Gui.Control.closeDialog()
         wait_until(lambda: panel._closed, "the panel has closed itself")
-        self.assertFalse(panel._preview.busy())
+        self.assertEqual(busy, [False], "a result would be told to widgets that are gone")
         self.assertEqual(self.doc.Objects, [source])
         self.assertEqual(source.ViewObject.Transparency, 0)
 
@@ -88,8 +91,7 @@ class Arrow(GuiCase):
         side = self.child(panel, "Side").currentIndex()
         self.click_view(panel._arrow.middle_on_screen())
         self.assertNotEqual(self.child(panel, "Side").currentIndex(), side)
-        process_events()
-        self.assertEqual(Gui.Selection.getSelection(), [])
+        wait_until(lambda: Gui.Selection.getSelection() == [], "what the click selected is not selected any more")
         # Beside the arrow a click selects, as ever.
         self.click_view(view.getPointOnScreen(App.Vector(8, 8, 0)))
         process_events()
@@ -199,8 +201,6 @@ class Dark(GuiCase):
     """FreeCAD's dark style sheets change colours, not palettes' grounds."""
 
     def test_errors_and_links_are_light_on_dark(self):
-        from pathlib import Path
-
         from PySide import QtGui
 
         from ThickenWorkbench.gui.tones import tones
@@ -208,9 +208,8 @@ class Dark(GuiCase):
         self.select(self.add_mesh(crossing_plates()))
         panel = self.run_command("Thicken_Make")
         light = tones(panel.form_parts.title)
-        sheet = Path(App.getResourceDir()) / "Gui" / "Stylesheets" / "Behave-dark.qss"
         self.addCleanup(QtGui.QApplication.instance().setStyleSheet, "")
-        QtGui.QApplication.instance().setStyleSheet(sheet.read_text())
+        QtGui.QApplication.instance().setStyleSheet(dark_sheet())
         process_events()
         dark = tones(panel.form_parts.title)
         for name in light:

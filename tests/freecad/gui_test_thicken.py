@@ -109,6 +109,25 @@ class Panel(GuiCase):
         self.ok()
         self.assertEqual(feature.Join, "Automatic")
 
+    def test_merging_is_asked_for_and_shown_again(self):
+        panel = self.open(self.add_mesh(plate()))
+        self.child(panel, "Simplify").setCurrentIndex(1)
+        self.wait_preview(panel)
+        with mock.patch("ThickenWorkbench.precomputed.thicken_mesh", side_effect=AssertionError("computed again")):
+            self.ok()
+        feature = self.doc.getObject("Thicken")
+        self.assertEqual(feature.Simplify, "Off")
+        unmerged = feature.TriangleCount
+        Gui.getDocument(self.doc.Name).setEdit(feature.Name, 0)
+        process_events()
+        panel = editing.current()
+        self.assertEqual(self.child(panel, "Simplify").currentIndex(), 1)
+        self.assertTrue(self.child(panel, "Advanced").isChecked())
+        self.child(panel, "Simplify").setCurrentIndex(0)
+        self.ok()
+        self.assertEqual(feature.Simplify, "Auto")
+        self.assertLess(feature.TriangleCount, unmerged)
+
     def test_an_empty_mesh_is_told(self):
         empty = self.doc.addObject("Mesh::Feature", "Empty")
         self.look()

@@ -12,6 +12,7 @@ import unittest
 from pathlib import Path
 
 PROGRAM = os.environ["THICKEN_PROGRAM"]
+UNDER_WINE = "THICKEN_UNDER_WINE" in os.environ
 
 
 class ProgramCase(unittest.TestCase):
@@ -21,7 +22,7 @@ class ProgramCase(unittest.TestCase):
         self.folder = Path(folder.name)
 
     def run_program(self, *arguments) -> subprocess.CompletedProcess:
-        return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, errors="replace",
+        return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, encoding="utf-8", errors="replace",
                               cwd=self.folder, timeout=120)  # fmt: skip
 
     def names(self) -> set[str]:

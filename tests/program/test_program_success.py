@@ -5,7 +5,7 @@ import math
 import re
 import unittest
 
-from program_case import ProgramCase
+from program_case import UNDER_WINE, ProgramCase
 from surfaces import SQUARE, read_stl, turned_to_start, wave, write_off, write_ply
 
 
@@ -19,6 +19,14 @@ class Success(ProgramCase):
                 self.assertTrue(self.report()["input"]["closed"])
         self.assert_ok(self.run_program("in.off", "out.3mf", "--thickness", 1))
         self.assertEqual((self.folder / "out.3mf").read_bytes()[:2], b"PK", "a 3MF is a zip archive")
+
+    @unittest.skipIf(UNDER_WINE, "where no locale but C is installed, Wine takes other letters for these")
+    def test_names_in_any_writing(self):
+        write_off(self.folder / "Fläche 面.off", SQUARE)
+        run = self.run_program("Fläche 面.off", "Körper 体.stl", "--thickness", 1)
+        self.assert_ok(run)
+        self.assertIn("Körper 体.stl: ", run.stdout)
+        self.assertEqual(self.names(), {"Fläche 面.off", "Körper 体.stl"})
 
     def test_every_triangle_of_the_surface_is_in_the_stl_bit_for_bit(self):
         vertices, triangles = wave(15)

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "parallel_for.h"
+#include "platform/shared_number.h"
 
 namespace thicken {
 
@@ -45,7 +46,7 @@ class UnionFind {
       if (a == b) return;
       if (a > b) std::swap(a, b);
       std::uint32_t root = b;
-      if (Shared(up_[b]).compare_exchange_strong(root, a, std::memory_order_relaxed)) return;
+      if (SharedNumber(up_[b]).compare_exchange_strong(root, a, std::memory_order_relaxed)) return;
     }
   }
 
@@ -78,15 +79,13 @@ class UnionFind {
   }
 
  private:
-  using Shared = std::atomic_ref<std::uint32_t>;
-
   // What is written to a number that is no root is always another member of its set, and nearer to the root.
   std::uint32_t rootShared(std::uint32_t i) {
     for (;;) {
-      const std::uint32_t up = Shared(up_[i]).load(std::memory_order_relaxed);
+      const std::uint32_t up = SharedNumber(up_[i]).load(std::memory_order_relaxed);
       if (up == i) return i;
-      const std::uint32_t next = Shared(up_[up]).load(std::memory_order_relaxed);
-      if (next != up) Shared(up_[i]).store(next, std::memory_order_relaxed);
+      const std::uint32_t next = SharedNumber(up_[up]).load(std::memory_order_relaxed);
+      if (next != up) SharedNumber(up_[i]).store(next, std::memory_order_relaxed);
       i = next;
     }
   }

@@ -44,6 +44,10 @@ bool mayWriteInto(const std::filesystem::path& folder) noexcept {
   return ::access(folder.c_str(), W_OK | X_OK) == 0;
 }
 
+std::vector<std::string> commandLine(int argc, const char* const* argv) {
+  return {argv, argv + argc};
+}
+
 long processId() noexcept {
   return ::getpid();
 }

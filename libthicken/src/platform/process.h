@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace thicken {
+
+/// The words of the command line in UTF-8; from here on the console shows UTF-8, too.
+[[nodiscard]] std::vector<std::string> commandLine(int argc, const char* const* argv);
 
 /// A number that no other running process has.
 [[nodiscard]] long processId() noexcept;

@@ -12,10 +12,12 @@
 #include <io.h>
 #include <process.h>
 #include <psapi.h>
+#include <shellapi.h>
 #include <sys/stat.h>
 
 #include <cerrno>
 #include <cstdlib>
+#include <utility>
 
 #include "platform/files.h"
 #include "platform/memory.h"
@@ -56,6 +58,23 @@ bool mayWrite(const std::filesystem::path& file) noexcept {
 // Whether a folder takes files is decided by access-control lists, which only an attempt asks.
 bool mayWriteInto(const std::filesystem::path& folder) noexcept {
   return _waccess(folder.c_str(), 0) == 0;
+}
+
+// The words that main() gets have lost what the system's code page lacks.
+std::vector<std::string> commandLine(int argc, const char* const* argv) {
+  SetConsoleOutputCP(CP_UTF8);
+  wchar_t** const wide = CommandLineToArgvW(GetCommandLineW(), &argc);
+  if (wide == nullptr) return {argv, argv + argc};
+  std::vector<std::string> words;
+  for (int i = 0; i < argc; ++i) {
+    const int length = WideCharToMultiByte(CP_UTF8, 0, wide[i], -1, nullptr, 0, nullptr, nullptr);
+    std::string word(static_cast<std::size_t>(length), '\0');
+    WideCharToMultiByte(CP_UTF8, 0, wide[i], -1, word.data(), length, nullptr, nullptr);
+    word.resize(word.empty() ? 0 : word.size() - 1);  // without the 0 at its end
+    words.push_back(std::move(word));
+  }
+  LocalFree(wide);
+  return words;
 }
 
 long processId() noexcept {

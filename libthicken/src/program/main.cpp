@@ -6,8 +6,11 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <string>
+#include <vector>
 
 #include "platform/memory.h"
+#include "platform/process.h"
 #include "program/arguments.h"
 #include "program/interrupt.h"
 #include "program/messages.h"
@@ -18,8 +21,10 @@ namespace {
 using namespace thicken;
 using namespace thicken::program;
 
-int run(int argc, const char* const* argv, bool& quiet) {
-  const Request request = readArguments(argc, argv);
+int run(const std::vector<std::string>& words, bool& quiet) {
+  std::vector<const char*> texts;
+  for (const std::string& word : words) texts.push_back(word.c_str());
+  const Request request = readArguments(static_cast<int>(texts.size()), texts.data());
   if (!request.arguments) {
     std::cout << request.answer;
     return EXIT_SUCCESS;
@@ -54,7 +59,7 @@ int fail(const Error& error, bool quiet) {
 int main(int argc, char** argv) {
   bool quiet = false;
   try {
-    return run(argc, argv, quiet);
+    return run(commandLine(argc, argv), quiet);
   } catch (const Error& error) {
     return fail(error, quiet);
   } catch (const std::bad_alloc&) {
