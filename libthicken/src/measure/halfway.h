@@ -5,8 +5,8 @@
 
 namespace thicken {
 
-/// Whether Definition 2 ends the solid within `reach` mm of a point `p` whose closest point on S is `c`, short
-/// of the thickness `r`: halfway to another sheet.
+/// Whether Definition 2 ends the solid within `reach` mm of a point `p` whose closest point on S is `c`,
+/// short of the thickness `r`: halfway to another sheet.
 [[nodiscard]] inline bool endsHalfway(const Vec3& p, const ClosestPoint& c, const ClosestPointTree& tree,
                                       double r, double reach) {
   if (!(c.distance > 0)) return false;
