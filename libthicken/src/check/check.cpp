@@ -11,6 +11,7 @@
 #include "check/orientability.h"
 #include "check/surface_facts.h"
 #include "exact/domain.h"
+#include "mesh/place_text.h"
 
 namespace thicken {
 namespace {
@@ -21,10 +22,6 @@ constexpr std::size_t kBytesPerTriangle = 160;
 template <class T>
 void append(std::vector<T>& list, const T& item) {
   if (list.size() < Defect::kMaxListed) list.push_back(item);
-}
-
-std::string text(const Vec3& p) {
-  return fmt::format("({:.6g}, {:.6g}, {:.6g})", p[0], p[1], p[2]);
 }
 
 // "", or ", and 7 more …": what follows the first of `count` findings.

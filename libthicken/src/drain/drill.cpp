@@ -11,6 +11,7 @@
 #include "check/audit.h"
 #include "drain/sheet_cut.h"
 #include "drain/strip.h"
+#include "mesh/place_text.h"
 #include "thicken/check.h"
 #include "thicken/drain.h"
 #include "thicken/error.h"
@@ -29,10 +30,6 @@ constexpr int kMostSides = 360;
 // clear of edges and vertices: try after try, each by another step of a spiral.
 constexpr int kTries = 8;
 constexpr double kLargestShift = 0.02;
-
-std::string text(const Vec3& p) {
-  return fmt::format("({:.6g}, {:.6g}, {:.6g})", p[0], p[1], p[2]);
-}
 
 // Where a line along the axis runs through the boundary.
 struct Piercing {

@@ -178,17 +178,13 @@ void BoxTree::refit(std::span<const Vec3> positions, std::span<const Triangle> t
 }
 
 void BoxTree::drop(std::span<const TriangleId> triangles) {
-  std::vector<std::uint32_t> dirty;
   for (const TriangleId t : triangles) {
     const std::uint32_t slot = std::exchange(impl_->slot[t], kNobody);
     if (slot == kNobody) continue;
     Leaf& leaf = impl_->leaves[slot / kLeafSize];
     leaf.id[slot % kLeafSize] = kNobody;
     leaf.set(slot % kLeafSize, FloatBox::empty());
-    dirty.push_back(slot / kLeafSize);
   }
-  sortUnique(dirty);
-  if (!dirty.empty()) impl_->fitBelow(impl_->root(), dirty);
 }
 
 std::vector<TrianglePair> BoxTree::meetingPairs(std::span<const Vec3> positions,

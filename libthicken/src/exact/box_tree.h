@@ -29,7 +29,7 @@ class BoxTree {
   void refit(std::span<const Vec3> positions, std::span<const Triangle> triangles,
              std::span<const TriangleId> moved);
 
-  /// Leaves triangles out from now on.
+  /// Leaves triangles out from now on. Boxes around them shrink where others near them are refitted.
   void drop(std::span<const TriangleId> triangles);
 
   /// All pairs of triangles that meet (exact::meet), sorted. `fixed[t] != 0` marks triangles known

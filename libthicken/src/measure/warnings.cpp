@@ -3,15 +3,13 @@
 
 #include <fmt/format.h>
 
+#include "mesh/place_text.h"
+
 namespace thicken {
 namespace {
 
 // A wall is thin below this share of the thickness.
 constexpr double kThin = 0.9;
-
-std::string text(const Vec3& p) {
-  return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z());
-}
 
 void addRepair(Report& report) {
   if (!report.repair || report.repair->changes.empty()) return;

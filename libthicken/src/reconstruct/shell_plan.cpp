@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "bvh/spatial_order.h"
-#include "measure/halfway.h"
 #include "measure/measure.h"
 #include "measure/offset_error.h"
 #include "measure/shell_samples.h"
@@ -39,6 +38,16 @@ double longestEdge(const TriangleMesh& mesh, TriangleId t) {
   const auto& [a, b, c] = mesh.triangles[t];
   const Vec3 &p = mesh.positions[a], &q = mesh.positions[b], &r = mesh.positions[c];
   return std::max({(q - p).norm(), (r - q).norm(), (p - r).norm()});
+}
+
+// Whether Definition 2 ends the solid within `reach` mm of a point `p` whose closest point on S is `c`,
+// short of the thickness `r`: halfway to another sheet.
+bool endsHalfway(const Vec3& p, const ClosestPoint& c, const ClosestPointTree& tree, double r, double reach) {
+  if (!(c.distance > 0)) return false;
+  const Vec3 step = reach / c.distance * (p - c.point);
+  const bool isInside = insideThickened(p, c, r);
+  const auto differs = [&](const Vec3& q) { return insideThickened(q, *tree.closest(q), r) != isInside; };
+  return differs(p + step) || differs(p - step);
 }
 
 // How far each triangle of the sweep's shell is off, mm: the most at its middle and in the middles of its

@@ -6,16 +6,14 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "mesh/place_text.h"
+
 namespace thicken::repairing {
 namespace {
 
 constexpr double kMostLost = 0.05;  // share of the area
 constexpr double kMostThin = 0.05;
 constexpr double kThin = 0.5;  // of the thickness
-
-std::string place(const Vec3& p) {
-  return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z());
-}
 
 // Share of the area of S below which the solid is thinner than half of what was asked. A triangle is as deep
 // as the mean of its corners.
@@ -45,10 +43,10 @@ std::optional<std::string> shortcoming(const Solid& solid) {
   std::string sentence = "the solid is not the surface that was given: ";
   if (lost > kMostLost)
     sentence += fmt::format("the repair removed {:.3g} % of its area, the largest piece at {}", 100 * lost,
-                            place(report.repair->largestPlace));
+                            text(report.repair->largestPlace));
   if (thin > kMostThin)
     sentence += fmt::format("{}{:.3g} % of what is left is thinner than half the thickness, the least at {}",
-                            lost > kMostLost ? ", and " : "", 100 * thin, place(report.thinnestPlace));
+                            lost > kMostLost ? ", and " : "", 100 * thin, text(report.thinnestPlace));
   return sentence;
 }
 
@@ -64,10 +62,10 @@ std::vector<std::string> additions(const RepairFacts& facts) {
         fmt::format("{} holes that are short enough stay open, as no patch fits into them without meeting "
                     "the surface; the "
                     "first is at {}",
-                    added.left, place(added.leftPlaces.front())));
+                    added.left, text(added.leftPlaces.front())));
   if (facts.seams.left > 0)
     told.push_back(fmt::format("{} corners near another rim could not be joined to it; the first is at {}",
-                               facts.seams.left, place(facts.seams.leftPlaces.front())));
+                               facts.seams.left, text(facts.seams.leftPlaces.front())));
   return told;
 }
 

@@ -11,6 +11,7 @@
 
 #include "mesh/bounds.h"
 #include "mesh/float_lattice.h"
+#include "mesh/place_text.h"
 #include "thicken/error.h"
 #include "trim/edge_way.h"
 #include "trim/trim_line_error.h"

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "mesh/float_lattice.h"
+#include "mesh/place_text.h"
 #include "thicken/check.h"
 #include "thicken/error.h"
 #include "trim/parts.h"
@@ -19,13 +20,8 @@ namespace thicken {
 using trimming::CutPath;
 using trimming::Ground;
 using trimming::PathCutter;
-using trimming::text;
 
 namespace trimming {
-
-std::string text(const Vec3& p) {
-  return fmt::format("({:.6g}, {:.6g}, {:.6g})", p[0], p[1], p[2]);
-}
 
 Error trimLineError(const std::string& sentence, const Vec3& place) {
   Defect d;

@@ -9,9 +9,6 @@
 
 namespace thicken::trimming {
 
-/// A point as it stands in sentences.
-[[nodiscard]] std::string text(const Vec3& p);
-
 [[nodiscard]] Error trimLineError(const std::string& sentence, const Vec3& place);
 
 }  // namespace thicken::trimming
