@@ -9,12 +9,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Iterable, NamedTuple
 
 import FreeCAD as App
-import Mesh
 
 from . import runs
-from .beside import placement_in_parent_of, put_beside, show_instead_of
+from .beside import put_beside, show_instead_of
+from .following_mesh import FollowingMesh
 from .numbers import number
-from .proxy import StatelessProxy, add_properties
+from .proxy import add_properties
 from .source_observer import observe_sources
 from .sources import RefusedError, kind_of
 
@@ -64,7 +64,7 @@ class _Hole(NamedTuple):
     walled: tuple[float, float]
 
 
-class DrainHolesFeature(StatelessProxy):
+class DrainHolesFeature(FollowingMesh):
     """Proxy of a Mesh::FeaturePython that holds the solid of its Source with holes in it."""
 
     def ensure_properties(self, obj: Any) -> None:
@@ -78,30 +78,24 @@ class DrainHolesFeature(StatelessProxy):
             obj.Direction = App.Vector(0, 0, 1)
         obj.setEditorMode("Placement", 1)  # it follows the source's
 
-    def execute(self, obj: Any) -> None:
-        """Drill the holes. When that is refused, nothing of an earlier solid stays behind."""
+    def make(self, obj: Any) -> tuple[Any, Any]:
+        _require_solid(obj.Source, obj)
+        return _drilled(obj)
+
+    def show(self, obj: Any, told: Any) -> None:
         from .regions import runs_of
 
-        try:
-            _require_solid(obj.Source, obj)
-            mesh, made = _drilled(obj)
-        except BaseException:
-            self.clear(obj)
-            raise
-        mesh.Placement = placement_in_parent_of(obj, obj.Source)
-        obj.Mesh = mesh  # takes over the Placement as well
-        _show(obj, made.holes, made.facts, made.warnings)
-        obj.RegionRuns = runs_of(made.region)
-        for warning in made.warnings:
+        if told is None:
+            _show(obj, [], None, [])
+            obj.RegionRuns = []
+            return
+        _show(obj, told.holes, told.facts, told.warnings)
+        obj.RegionRuns = runs_of(told.region)
+        for warning in told.warnings:
             App.Console.PrintWarning(f"{obj.Label}: {warning}\n")
 
-    def clear(self, obj: Any) -> None:
-        obj.Mesh = Mesh.Mesh()
-        _show(obj, [], None, [])
-        obj.RegionRuns = []
 
-
-class PlugFeature(StatelessProxy):
+class PlugFeature(FollowingMesh):
     """Proxy of a Mesh::FeaturePython that holds a plug for each hole of its Source, where the holes are."""
 
     def ensure_properties(self, obj: Any) -> None:
@@ -115,22 +109,14 @@ class PlugFeature(StatelessProxy):
             obj.addProperty("App::PropertyBool", "Valid", "Result", "Whether there are plugs", _RESULT)
         obj.setEditorMode("Placement", 1)
 
-    def execute(self, obj: Any) -> None:
-        try:
-            source = obj.Source
-            if source is None or not isinstance(source.Proxy, DrainHolesFeature) or not source.Valid:
-                raise RefusedError("There are no holes to plug. Set Source to a feature with drain holes.")
-            mesh = _plugs(source, obj.Clearance.Value)
-        except BaseException:
-            self.clear(obj)
-            raise
-        mesh.Placement = placement_in_parent_of(obj, source)
-        obj.Mesh = mesh
-        obj.Valid = True
+    def make(self, obj: Any) -> tuple[Any, Any]:
+        source = obj.Source
+        if source is None or not isinstance(source.Proxy, DrainHolesFeature) or not source.Valid:
+            raise RefusedError("There are no holes to plug. Set Source to a feature with drain holes.")
+        return _plugs(source, obj.Clearance.Value), True
 
-    def clear(self, obj: Any) -> None:
-        obj.Mesh = Mesh.Mesh()
-        obj.Valid = False
+    def show(self, obj: Any, told: Any) -> None:
+        obj.Valid = told is not None
 
 
 observe_sources(DrainHolesFeature)

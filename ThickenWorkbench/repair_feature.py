@@ -6,11 +6,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import FreeCAD as App
-import Mesh
 
 from . import numbers, runs
-from .beside import placement_in_parent_of, put_beside, show_instead_of
-from .proxy import StatelessProxy, add_properties
+from .beside import put_beside, show_instead_of
+from .following_mesh import FollowingMesh
+from .proxy import add_properties
 from .source_observer import observe_sources
 from .sources import require_source, surface_arrays
 
@@ -60,7 +60,7 @@ def words() -> dict[str, str]:
     }
 
 
-class RepairFeature(StatelessProxy):
+class RepairFeature(FollowingMesh):
     """Proxy of a Mesh::FeaturePython that holds what repair makes of its Source."""
 
     def ensure_properties(self, obj: Any) -> None:
@@ -71,21 +71,12 @@ class RepairFeature(StatelessProxy):
             obj.WeldAutomatically = True
         obj.setEditorMode("Placement", 1)  # it follows the source's
 
-    def execute(self, obj: Any) -> None:
-        """Mend the surface. When that is refused, nothing of an earlier one stays behind."""
-        try:
-            require_source(obj.Source, obj)
-            mesh, report = _mended(obj)
-        except BaseException:
-            self.clear(obj)
-            raise
-        mesh.Placement = placement_in_parent_of(obj, obj.Source)
-        obj.Mesh = mesh  # takes over the Placement as well
-        _show(obj, report)
+    def make(self, obj: Any) -> tuple[Any, dict[str, Any]]:
+        require_source(obj.Source, obj)
+        return _mended(obj)
 
-    def clear(self, obj: Any) -> None:
-        obj.Mesh = Mesh.Mesh()
-        _show(obj, None)
+    def show(self, obj: Any, told: dict[str, Any] | None) -> None:
+        _show(obj, told)
 
 
 observe_sources(RepairFeature)

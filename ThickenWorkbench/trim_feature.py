@@ -6,11 +6,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Iterable, Sequence
 
 import FreeCAD as App
-import Mesh
 
 from . import runs
-from .beside import placement_in_parent_of, put_beside, show_instead_of
-from .proxy import StatelessProxy, add_properties
+from .beside import put_beside, show_instead_of
+from .following_mesh import FollowingMesh
+from .proxy import add_properties
 from .source_observer import observe_sources
 from .sources import RefusedError, bound_box, require_source, surface_arrays
 
@@ -40,7 +40,7 @@ _RESULTS = [
 ]
 
 
-class TrimFeature(StatelessProxy):
+class TrimFeature(FollowingMesh):
     """Proxy of a Mesh::FeaturePython that holds the part of its Source that loops border."""
 
     def ensure_properties(self, obj: Any) -> None:
@@ -51,21 +51,12 @@ class TrimFeature(StatelessProxy):
             obj.KeepInside = True
         obj.setEditorMode("Placement", 1)  # it follows the source's
 
-    def execute(self, obj: Any) -> None:
-        """Cut the part out. When that is refused, nothing of an earlier one stays behind."""
-        try:
-            require_source(obj.Source, obj)
-            mesh, report = _trimmed(obj)
-        except BaseException:
-            self.clear(obj)
-            raise
-        mesh.Placement = placement_in_parent_of(obj, obj.Source)
-        obj.Mesh = mesh  # takes over the Placement as well
-        _show(obj, report)
+    def make(self, obj: Any) -> tuple[Any, dict[str, Any]]:
+        require_source(obj.Source, obj)
+        return _trimmed(obj)
 
-    def clear(self, obj: Any) -> None:
-        obj.Mesh = Mesh.Mesh()
-        _show(obj, None)
+    def show(self, obj: Any, told: dict[str, Any] | None) -> None:
+        _show(obj, told)
 
 
 observe_sources(TrimFeature)
