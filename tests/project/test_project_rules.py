@@ -6,35 +6,14 @@ import re
 import unittest
 from pathlib import Path
 
-PROJECT = Path(__file__).resolve().parents[2]
+from project_sources import PROJECT, cycles, sources
+
 VERSION = os.environ["THICKEN_VERSION"]
-SOURCES = (".h", ".cpp", ".py", ".pyi", ".cmake", ".h.in", ".cmake.in")
 FOLDERS = ("libthicken", "thicken", "ThickenWorkbench", "packaging", "cmake", "examples", "tests")
-
-
-def sources(*folders: str) -> list[Path]:
-    files = [f for folder in folders for f in (PROJECT / folder).rglob("*") if f.is_file()]
-    return [f for f in files if f.name.endswith(SOURCES) or f.name == "CMakeLists.txt"]
 
 
 def offenders(files: list[Path], pattern: str) -> list[str]:
     return [str(f.relative_to(PROJECT)) for f in files if re.search(pattern, f.read_text(), re.MULTILINE)]
-
-
-def cycles(graph: dict[str, set[str]]) -> list[str]:
-    """Those nodes of a graph from which a way leads back to them."""
-
-    def reachable(start: str) -> set[str]:
-        seen: set[str] = set()
-        waiting = list(graph[start])
-        while waiting:
-            node = waiting.pop()
-            if node not in seen:
-                seen.add(node)
-                waiting += graph.get(node, ())
-        return seen
-
-    return sorted(node for node in graph if node in reachable(node))
 
 
 class Rules(unittest.TestCase):
