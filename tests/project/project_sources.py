@@ -4,7 +4,9 @@
 from __future__ import annotations
 
 import ast
+import re
 from pathlib import Path
+from typing import Callable
 
 PROJECT = Path(__file__).resolve().parents[2]
 SOURCES = (".h", ".cpp", ".py", ".pyi", ".cmake", ".h.in", ".cmake.in")
@@ -31,6 +33,23 @@ def cycles(graph: Graph) -> list[str]:
         return seen
 
     return sorted(node for node in graph if node in reachable(node))
+
+
+def include_graph() -> Graph:
+    """Which file of the library's sources includes which, by their paths below `libthicken/src`."""
+    root = PROJECT / "libthicken/src"
+    files = {f.relative_to(root).as_posix(): f for f in root.rglob("*") if f.suffix in (".h", ".cpp")}
+    included = {name: set(re.findall(r'^#include "(.+)"', f.read_text(), re.MULTILINE)) for name, f in files.items()}
+    return {name: found & set(files) for name, found in included.items()}
+
+
+def joined(graph: Graph, node_of: Callable[[str], str]) -> Graph:
+    """The graph of what `node_of` puts the nodes into; no node leads to itself."""
+    whole: Graph = {}
+    for name, following in graph.items():
+        own = node_of(name)
+        whole.setdefault(own, set()).update({node_of(other) for other in following} - {own})
+    return whole
 
 
 def module_of(file: Path) -> str:
