@@ -40,6 +40,8 @@ class ThickenedMesh(NamedTuple):
     region: NDArray[np.uint8]  #: m values of Region
     depth: NDArray[np.float64]  #: how deep the solid is below each vertex of the surface
     report: dict[str, Any]  #: the object of docs/report.md
+    #: with `gap` the vertices and triangles of the surface there, which the solid keeps in place of the given one
+    gap_surface: tuple[NDArray[np.float64], NDArray[np.int64]] | None = None
 
 
 class RepairedMesh(NamedTuple):
@@ -88,6 +90,7 @@ def forecast_mesh(
     cell: float | None = None,
     resolution: int | None = None,
     tolerance: float | None = None,
+    gap: float = 0.0,
     threads: int = 0,
 ) -> tuple[float, int]:
     """Return the seconds and the bytes that thicken_mesh() is likely to take for a surface of this size.
@@ -96,7 +99,7 @@ def forecast_mesh(
     """
     return native.load().forecast(
         *size[:2], thickness, diagonal=size.diagonal, side=side, method=method,
-        cell=cell, resolution=resolution, tolerance=tolerance, threads=threads,
+        cell=cell, resolution=resolution, tolerance=tolerance, gap=gap, threads=threads,
     )  # fmt: skip
 
 
@@ -118,6 +121,7 @@ def thicken_mesh(
     strict: bool = False,
     join: Literal["mitre", "round"] | None = None,
     simplify: Literal["off", "auto", "shell"] = "auto",
+    gap: float = 0.0,
     threads: int = 0,
     memory: float | None = None,
     precision: Literal["single", "double"] = "single",
@@ -133,6 +137,7 @@ def thicken_mesh(
     `weld`, `bridge` and `fill_holes`: with `repair`, as in repair_mesh(); `strict` refuses a solid that lost much by it.
     `simplify`: triangles to merge into fewer within the tolerance: "off", "auto", those of walls and of a shell that is
     denser than the surface, or "shell", all but the surface's own.
+    `gap`: the solid begins so far from the surface; `gap_surface` of the result is what it keeps then.
     `memory` is a limit in MiB. `context` polls and cancels the run from another thread; Ctrl-C
     ends it as well. Other Python threads run meanwhile.
 
@@ -163,6 +168,7 @@ def thicken_mesh(
         strict=strict,
         join=join,
         simplify=simplify,
+        gap=gap,
         threads=threads,
         context=context,
     )

@@ -148,7 +148,8 @@ Made makeSolid(const Arguments& arguments, RunContext& context, std::vector<std:
   reading.lap("read");
   Options options = arguments.options;
   options.precision = storedPrecision(arguments.output);
-  // The repaired surface has to be found in the solid bit for bit, whatever either file stores.
+  // The surface that is written has to be found in the solid bit for bit, whatever either file stores. That at a
+  // gap is of floats in either case.
   if (!arguments.repaired.empty() && storedPrecision(arguments.repaired) == Precision::kSingle)
     options.precision = Precision::kSingle;
   if (arguments.sheets) return makeSheets(arguments, surface, options, context);
@@ -160,6 +161,7 @@ Made makeSolid(const Arguments& arguments, RunContext& context, std::vector<std:
   context.enter(Stage::kWriting, 0, 1, 0);
   Stopwatch writing;
   if (!arguments.repaired.empty()) writeMesh(arguments.repaired, *solid.repaired);
+  if (!arguments.gapSurface.empty()) writeMesh(arguments.gapSurface, *solid.gapSurface);
   writeMesh(arguments.output, solid.mesh);
   writing.lap("write");
   auto& seconds = solid.report.seconds;
@@ -256,9 +258,11 @@ void requireFiles(const Arguments& arguments) {
   requireWritable(arguments.output);
   requireFolderFor(arguments.output);
   if (!arguments.picture.empty()) requireFolderFor(arguments.picture);
-  if (arguments.repaired.empty()) return;
-  requireWritable(arguments.repaired);
-  requireFolderFor(arguments.repaired);
+  for (const std::filesystem::path& path : {arguments.repaired, arguments.gapSurface}) {
+    if (path.empty()) continue;
+    requireWritable(path);
+    requireFolderFor(path);
+  }
 }
 
 }  // namespace
