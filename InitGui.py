@@ -12,8 +12,10 @@ class ThickenWorkbench(Gui.Workbench):
     ToolTip = "Turn open mesh surfaces into printable solids"
 
     def __init__(self):
+        from ThickenWorkbench.gui import for_features
         from ThickenWorkbench.view_provider import ICONS
 
+        for_features.connect()
         self.__class__.Icon = str(ICONS / "thicken.svg")
 
     def Initialize(self):

@@ -13,7 +13,6 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 import thicken
-from thicken import native  # noqa: F401  the workbench's modules take it from here
 
 __version__ = "0.1.0"
 
@@ -43,9 +42,10 @@ if TYPE_CHECKING:
     from .export import export_for_printing
     from .feature import make_thicken
     from .part_solid import make_part_solid, part_solid, part_solid_of
-    from .printability import printability, write_report
+    from .printability import printability
     from .regions import facet_regions
     from .repair_feature import make_repair
+    from .report_page import write_report
     from .thickness_map import thickness_map
     from .trim_feature import make_trim
 
@@ -59,7 +59,7 @@ _HOMES = {
     "part_solid": "part_solid",
     "part_solid_of": "part_solid",
     "printability": "printability",
-    "write_report": "printability",
+    "write_report": "report_page",
     "facet_regions": "regions",
     "make_repair": "repair_feature",
     "thickness_map": "thickness_map",

@@ -7,6 +7,8 @@ from typing import Any
 
 import FreeCAD as App
 
+from . import windows
+
 
 def put_beside(feature: Any, source: Any) -> None:
     """Add `feature` to the group with a coordinate system that `source` is in, if any.
@@ -31,9 +33,6 @@ def placement_in_parent_of(feature: Any, source: Any) -> Any:
 
 def show_instead_of(feature: Any, source: Any) -> None:
     """Give `feature` its view provider and hide `source`, where there are windows."""
-    if not App.GuiUp:
-        return
-    from .view_provider import attach_view_provider
-
-    attach_view_provider(feature)
-    source.ViewObject.Visibility = False
+    windows.attach_view(feature)
+    if App.GuiUp:
+        source.ViewObject.Visibility = False

@@ -55,7 +55,9 @@ def solid_of(source: Any, surface: tuple[Any, Any], arguments: dict[str, Any]) -
     if not arguments["thickness"] > 0:
         raise RefusedError("Thickness is 0 mm. Set it to more than that.")
     with runs.refusing(source):
-        from . import native, precomputed
+        from thicken import native
+
+        from .core import precomputed
         from .mesh_io import mesh_from_arrays
 
         native.load()
@@ -66,7 +68,9 @@ def solid_of(source: Any, surface: tuple[Any, Any], arguments: dict[str, Any]) -
 
 def fingerprint(surface: tuple[Any, Any], arguments: dict[str, Any], mesh: Any) -> str:
     """What a solid was made from, and what it is, as a short text: as long as both are the same, so is the other."""
-    from . import __version__, precomputed
+    from thicken import __version__
+
+    from .core import precomputed
     from .mesh_io import arrays_from_mesh
 
     made_from = precomputed.key(surface, {**arguments, "version": __version__})

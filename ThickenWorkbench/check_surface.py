@@ -44,7 +44,7 @@ def check_step(
     source: Any, *, faces: Sequence[str] = (), facets: Iterable[int] = (), deflection: float = DEFAULT_DEFLECTION
 ) -> runs.Step[list[SurfaceDefect]]:
     """The step of check_surface(): nothing of it touches `source` any more."""
-    from . import native
+    from thicken import native
 
     chosen = sorted({int(facet) for facet in facets})
     vertices, triangles = surface_arrays(source, faces=faces, facets=chosen, deflection=deflection)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Iterable, NamedTuple
 
 import FreeCAD as App
 
-from . import runs
+from . import runs, windows
 from .beside import put_beside, show_instead_of
 from .following_mesh import FollowingMesh
 from .numbers import number
@@ -182,10 +182,7 @@ def _add_plugs(doc: Any, holes: Any, clearance: Any) -> Any:
     except Exception:
         doc.removeObject(obj.Name)
         raise
-    if App.GuiUp:
-        from .view_provider import attach_view_provider
-
-        attach_view_provider(obj)
+    windows.attach_view(obj)
     return obj
 
 
@@ -233,7 +230,7 @@ def drill_step(source: Any, diameter: float, count: int, direction: Any, places:
     touches `source` any more."""
     import numpy as np
 
-    from . import native
+    from thicken import native
     from .mesh_io import arrays_from_mesh
     from .regions import facet_regions
 
@@ -302,9 +299,9 @@ def _show(obj: Any, holes: list[_Hole], facts: dict[str, Any] | None, warnings: 
 def _plugs(holes: Any, clearance: float) -> Any:
     import numpy as np
 
-    from . import native
+    from thicken import native
     from .mesh_io import mesh_from_arrays
-    from .plug import plug_arrays
+    from .core.plug import plug_arrays
 
     if not 0 < 2 * clearance < holes.Diameter.Value:
         raise RefusedError("Clearance must be above 0 mm and below half of the diameter of the holes.")

@@ -9,8 +9,8 @@ import FreeCAD as App
 import numpy as np
 from numpy.typing import NDArray
 
-from .drain_places import cavities_of, places_for, ways_down
-from .drain_pools import HoleEnds, pools
+from .core.drain_places import cavities_of, places_for, ways_down
+from .core.drain_pools import HoleEnds, pools
 from .numbers import number
 from .sources import RefusedError
 

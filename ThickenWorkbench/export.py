@@ -37,7 +37,7 @@ def export_step(
     obj: Any, path: str | os.PathLike[str], *, deflection: float = DEFAULT_DEFLECTION
 ) -> runs.Step[dict[str, Any]]:
     """The step of export_for_printing(): nothing of it touches `obj` any more."""
-    from . import native
+    from thicken import native
 
     target = Path(path)
     if target.suffix.lower() not in FORMATS:
@@ -74,10 +74,10 @@ def export_step(
 def read_back(path: Path) -> tuple[NDArray, NDArray]:
     """The vertices and triangles of a file that export_for_printing() wrote."""
     if path.suffix == ".3mf":
-        from .read_3mf import read_3mf
+        from .core.read_3mf import read_3mf
 
         return read_3mf(path)
-    from . import native
+    from thicken import native
 
     return native.load().read_mesh(path)
 

@@ -52,7 +52,7 @@ def _marks() -> tuple[str, str]:
     """The decimal mark, and what parts thousands."""
     if not App.GuiUp:
         return ".", ","
-    from .gui.qt import QtCore
+    from PySide import QtCore
 
     locale = QtCore.QLocale()
     return str(locale.decimalPoint()), str(locale.groupSeparator())
@@ -62,6 +62,6 @@ def language() -> str:
     """That of FreeCAD's windows, as in "de"."""
     if not App.GuiUp:
         return "en"
-    from .gui.qt import QtCore
+    from PySide import QtCore
 
     return str(QtCore.QLocale().name()).partition("_")[0] or "en"

@@ -12,7 +12,9 @@ from typing import TYPE_CHECKING, Any
 
 import FreeCAD as App
 
-from . import native, runs
+from thicken import native
+
+from . import runs
 from .beside import placement_in_parent_of, put_beside
 from .numbers import count, number
 from .proxy import StatelessProxy
@@ -62,9 +64,9 @@ def part_solid(vertices: ArrayLike, triangles: ArrayLike, merge_coplanar: bool =
     """
     import Part
 
-    from .brep_solid import brep_bytes
-    from .coplanar import merged_faces
-    from .polyhedron import shells_of_solids, triangle_faces
+    from .core.brep_solid import brep_bytes
+    from .core.coplanar import merged_faces
+    from .core.polyhedron import shells_of_solids, triangle_faces
 
     extension, threads = native.load(), runs.threads()
 

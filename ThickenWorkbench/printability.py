@@ -3,9 +3,6 @@
 
 from __future__ import annotations
 
-import json
-import os
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, Iterable, NamedTuple
 
 import numpy as np
@@ -56,39 +53,11 @@ def printability(
     return runs.run(report_step(obj, direction, minimum_wall, deflection=deflection)).facts
 
 
-def write_report(
-    obj: Any,
-    path: str | os.PathLike[str],
-    direction: Iterable[float] = (0, 0, 1),
-    minimum_wall: Any = 1.0,
-    *,
-    deflection: float = DEFAULT_DEFLECTION,
-) -> dict[str, Any]:
-    """Write the facts of printability() and return them.
-
-    A path that ends in .json gets the facts alone. Any other gets one HTML page with pictures in it,
-    and the facts are written beside it, to the same name with .json.
-    """
-    found = runs.run(report_step(obj, direction, minimum_wall, deflection=deflection))
-    runs.run(lambda context: write_measured(found, path, context))
-    return found.facts
-
-
-def write_measured(found: Measured, path: str | os.PathLike[str], context: Any = None) -> None:
-    """Write what report_step() has measured, as write_report() does; nothing when `context` is cancelled before."""
-    target = Path(path)
-    if target.suffix.lower() != ".json":
-        from .report_page import page
-
-        target.write_text(page(found, context), encoding="utf-8")
-    target.with_suffix(".json").write_text(json.dumps(found.facts, indent=2, ensure_ascii=False) + "\n", encoding="utf-8")
-
-
 def report_step(
     obj: Any, direction: Iterable[float] = (0, 0, 1), minimum_wall: Any = 1.0, *, deflection: float = DEFAULT_DEFLECTION
 ) -> runs.Step[Measured]:
     """For all that printability() and write_report() are made from: nothing of it touches `obj` any more."""
-    from . import native
+    from thicken import native
     from .thickness_map import wall_step
 
     up = np.array([float(x) for x in direction])
@@ -118,9 +87,9 @@ def report_step(
 
 def _pool_step(obj: Any, placement: Any, up: NDArray) -> runs.Step[list[dict[str, Any]]]:
     """For the resin that stays below the drain holes of `obj`, if it has any; it stands at `placement`."""
-    from . import native
-    from .drain_places import cavities_of
-    from .drain_pools import HoleEnds, pools
+    from thicken import native
+    from .core.drain_places import cavities_of
+    from .core.drain_pools import HoleEnds, pools
 
     if not getattr(obj, "HoleCount", 0) or kind_of(obj.Source) != "mesh" or obj.Source.Mesh.CountFacets == 0:
         return lambda context: []

@@ -6,8 +6,7 @@ from __future__ import annotations
 from contextlib import suppress
 from typing import Any, Callable, Iterable
 
-import FreeCAD as App
-
+from . import windows
 from .stateless import Stateless
 
 
@@ -68,7 +67,4 @@ class StatelessProxy(Stateless):
 
     def onDocumentRestored(self, obj: Any) -> None:
         self._prepare(obj, 1)
-        if App.GuiUp:
-            from .view_provider import attach_view_provider
-
-            attach_view_provider(obj)
+        windows.attach_view(obj)

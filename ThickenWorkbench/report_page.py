@@ -4,20 +4,23 @@
 from __future__ import annotations
 
 import base64
+import json
+import os
 from html import escape
-from typing import TYPE_CHECKING, Any, Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Iterable, Iterator
 
 import FreeCAD as App
 import numpy as np
 
 from . import runs
 from .numbers import count, language, number, percent, place
-from .picture import draw, view_along
+from .core.picture import draw, view_along
+from .printability import Measured, report_step
+from .sources import DEFAULT_DEFLECTION
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
-
-    from .printability import Measured
 
 translate = App.Qt.translate
 
@@ -35,6 +38,32 @@ td { border-top: 1px solid #ddd; } .pictures { display: flex; flex-wrap: wrap; g
 figure { margin: 0; max-width: 32rem; } figure img { width: 100%; } figcaption { color: #555; }
 .good { color: #1a7f37; } .bad { color: #b3261e; } .key { display: inline-block; width: .9em; height: .9em; }
 """
+
+
+def write_report(
+    obj: Any,
+    path: str | os.PathLike[str],
+    direction: Iterable[float] = (0, 0, 1),
+    minimum_wall: Any = 1.0,
+    *,
+    deflection: float = DEFAULT_DEFLECTION,
+) -> dict[str, Any]:
+    """Write the facts of printability() and return them.
+
+    A path that ends in .json gets the facts alone. Any other gets one HTML page with pictures in it,
+    and the facts are written beside it, to the same name with .json.
+    """
+    found = runs.run(report_step(obj, direction, minimum_wall, deflection=deflection))
+    runs.run(lambda context: write_measured(found, path, context))
+    return found.facts
+
+
+def write_measured(found: Measured, path: str | os.PathLike[str], context: Any = None) -> None:
+    """Write what report_step() has measured, as write_report() does; nothing when `context` is cancelled before."""
+    target = Path(path)
+    if target.suffix.lower() != ".json":
+        target.write_text(page(found, context), encoding="utf-8")
+    target.with_suffix(".json").write_text(json.dumps(found.facts, indent=2, ensure_ascii=False) + "\n", encoding="utf-8")
 
 
 def page(measured: Measured, context: Any = None) -> str:

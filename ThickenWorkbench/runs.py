@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, Callable, Iterator, TypeVar
 
 import FreeCAD as App
 
-from . import preferences, prediction
+from . import preferences, prediction, windows
 from .numbers import count
 from .numbers import place as place_text
 from .sources import RefusedError
@@ -66,10 +66,9 @@ def run(step: Step[Result]) -> Result:
     In the main thread of a FreeCAD with windows the user sees its progress and can stop it. A FreeCAD that
     recomputes in another thread shows no dialog from there: cancel_all() stops that run.
     """
-    if App.GuiUp and threading.current_thread() is threading.main_thread():
-        from .gui.modal_run import wait_for
-
-        return wait_for(step)
+    shown = windows.connected()
+    if shown is not None and threading.current_thread() is threading.main_thread():
+        return shown.wait_for(step)
     with started() as context:
         return step(context)
 
@@ -77,7 +76,7 @@ def run(step: Step[Result]) -> Result:
 @contextmanager
 def started() -> Iterator[RunContext]:
     """A context that cancel_all() reaches as long as the block lasts."""
-    from . import native
+    from thicken import native
 
     context = native.load().RunContext()
     with tracked(context):

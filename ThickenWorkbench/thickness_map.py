@@ -82,7 +82,7 @@ def _wall(feature: Any, vertices: NDArray, triangles: NDArray) -> runs.Step[NDAr
 
 def wall_step(obj: Any, vertices: NDArray, triangles: NDArray) -> runs.Step[NDArray]:
     """For the wall thickness at each of `triangles`, which bound the closed solid of `obj`; NaN for none."""
-    from . import native
+    from thicken import native
 
     extension, threads = native.load(), runs.threads()
     regions = facet_regions(obj) if hasattr(obj, "RegionRuns") else np.empty(0)
@@ -98,7 +98,7 @@ def wall_step(obj: Any, vertices: NDArray, triangles: NDArray) -> runs.Step[NDAr
 
 
 def _deviation(feature: Any, vertices: NDArray, triangles: NDArray) -> runs.Step[NDArray]:
-    from . import native
+    from thicken import native
     from .build import surface_of
 
     if not getattr(feature, "Valid", False) or not hasattr(feature, "Thickness"):

@@ -8,7 +8,7 @@ is missing; what needs it then says why it failed.
 from __future__ import annotations
 
 from importlib import import_module
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from .native import NativeError
 
@@ -57,7 +57,7 @@ OF_EXTENSION = ("RunContext", "SurfacePaths", "ThickenError")
 __all__ = sorted([*OF_ARRAYS, *OF_EXTENSION, "NativeError"])
 
 
-def __getattr__(name: str):
+def __getattr__(name: str) -> Any:
     if name in OF_ARRAYS:
         return getattr(import_module(f"{__name__}.arrays"), name)
     if name in OF_EXTENSION:

@@ -10,7 +10,9 @@ from __future__ import annotations
 import threading
 from typing import Any, Callable
 
-from .. import native, runs
+from thicken import native
+
+from .. import runs
 from . import modal_run
 from .qt import QtCore
 

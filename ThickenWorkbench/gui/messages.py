@@ -8,7 +8,9 @@ from typing import Any
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from .. import native, runs
+from thicken import native
+
+from .. import runs
 from ..numbers import count, number
 from .qt import QtWidgets
 

@@ -9,7 +9,8 @@ from typing import Any
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from .. import native
+from thicken import native
+
 from .qt import QtCore, QtGui, QtWidgets
 
 translate = App.Qt.translate

@@ -10,7 +10,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from .. import preferences
-from ..view_provider import ICONS
+from ..view_provider import ICONS, RegionViewProvider
 
 PAGE = Path(__file__).resolve().parent / "ui" / "preferences.ui"
 
@@ -22,8 +22,6 @@ class _Colours:
 
     def onChange(self, group: Any, key: str) -> None:
         if key.startswith("Color"):
-            from .region_colours import repaint_all
-
             repaint_all()
 
 
@@ -36,3 +34,12 @@ def add() -> None:
     Gui.addPreferencePage(str(PAGE), "Thicken")
     _observer = _Colours()
     App.ParamGet(preferences.PATH).Attach(_observer)
+
+
+def repaint_all() -> None:
+    """Paint all regions of all documents again."""
+    for document in App.listDocuments().values():
+        for obj in document.Objects:
+            view = getattr(obj, "ViewObject", None)
+            if isinstance(getattr(view, "Proxy", None), RegionViewProvider):
+                view.Proxy.paint(view)

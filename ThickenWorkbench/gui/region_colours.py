@@ -72,19 +72,6 @@ def painted(view: Any) -> set[tuple[float, float, float]]:
     return set() if nodes is None else {tuple(round(c, 3) for c in v) for v in nodes[0].diffuseColor.getValues()}
 
 
-def repaint_all() -> None:
-    """After the preferences have changed."""
-    import FreeCAD as App
-
-    from ..view_provider import RegionViewProvider
-
-    for document in App.listDocuments().values():
-        for obj in document.Objects:
-            view = getattr(obj, "ViewObject", None)
-            if isinstance(getattr(view, "Proxy", None), RegionViewProvider):
-                view.Proxy.paint(view)
-
-
 def _shows(material: Any, palette: Any, regions: Any) -> bool:
     """Whether the colours are on the material already: the first facet of each run of a region tells."""
     field = material.diffuseColor

@@ -9,7 +9,7 @@ import numpy as np
 
 from .. import preferences
 from ..mesh_io import arrays_from_mesh
-from ..patches import SmoothPatches
+from ..core.patches import SmoothPatches
 from .camera import view_of
 from .overlay import faces, over_object
 from .view_clicks import ViewClicks

@@ -11,7 +11,8 @@ import FreeCADGui as Gui
 
 from .. import preferences, runs
 from ..placed import linked_and_placement
-from ..printability import Measured, report_step, write_measured
+from ..printability import Measured, report_step
+from ..report_page import write_measured
 from ..sources import bound_box
 from . import macro, messages
 from .camera import go_to, view_of

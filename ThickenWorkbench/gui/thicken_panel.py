@@ -14,7 +14,8 @@ from typing import Any, Callable
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from .. import build, numbers, precomputed, prediction, preferences, runs
+from .. import build, numbers, prediction, preferences, runs
+from ..core import precomputed
 from thicken.arrays import ThickenedMesh, size_of, thicken_mesh
 from ..part_solid import part_solid_of, size_warning
 from ..sources import DEFAULT_DEFLECTION

@@ -359,7 +359,7 @@
     </message>
     <message>
         <source>The document has no 3D view. Open one: View ▸ Create new view.</source>
-        <extracomment>global: the middle of the facet with the minimum</extracomment>
+        <extracomment>the lowest place</extracomment>
         <translation>Das Dokument hat keine 3D-Ansicht. Bitte eine öffnen: Ansicht ▸ Neue Ansicht.</translation>
     </message>
     <message>

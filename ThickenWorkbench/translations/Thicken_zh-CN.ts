@@ -359,7 +359,7 @@
     </message>
     <message>
         <source>The document has no 3D view. Open one: View ▸ Create new view.</source>
-        <extracomment>global: the middle of the facet with the minimum</extracomment>
+        <extracomment>the lowest place</extracomment>
         <translation>文档没有三维视图。请打开一个：视图 ▸ 新建视图。</translation>
     </message>
     <message>

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
-from ThickenWorkbench.picture import draw, view_along  # noqa: E402
+from ThickenWorkbench.core.picture import draw, view_along  # noqa: E402
 
 SIZE = (96, 72)
 _STEEL = (120, 160, 205)

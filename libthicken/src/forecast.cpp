@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "check/surface_facts.h"
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
 #include "plan.h"
 #include "reconstruct/working_set.h"
 

@@ -17,7 +17,7 @@
 #include "measure/warnings.h"
 #include "mesh/float_lattice.h"
 #include "mesh/topology.h"
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
 #include "plan.h"
 #include "platform/memory.h"
 #include "reconstruct/cells.h"

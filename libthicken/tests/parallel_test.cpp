@@ -16,7 +16,7 @@
 #include "mesh/buckets.h"
 #include "mesh/parallel_sort.h"
 #include "mesh/union_find.h"
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
 
 namespace thicken {
 namespace {

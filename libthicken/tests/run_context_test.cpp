@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
 #include "thicken/error.h"
 
 namespace thicken {

@@ -8,7 +8,7 @@ import numpy as np
 from pivy import coin
 
 import ThickenWorkbench
-from ThickenWorkbench import native
+from thicken import native
 from ThickenWorkbench.gui import editing
 from ThickenWorkbench.gui.region_colours import painted
 from ThickenWorkbench.gui.repair_marks import ADDED, REMOVED, WELDED, marks

@@ -57,7 +57,7 @@ class Panel(GuiCase):
         self.wait_preview(panel)
         (solid,) = panel._preview.solids()
         with mock.patch("ThickenWorkbench.gui.thicken_panel.thicken_mesh", side_effect=AssertionError("computed again")):
-            with mock.patch("ThickenWorkbench.precomputed.thicken_mesh", side_effect=AssertionError("computed again")):
+            with mock.patch("ThickenWorkbench.core.precomputed.thicken_mesh", side_effect=AssertionError("computed again")):
                 self.ok()
         feature = self.doc.getObject("Thicken")
         self.assertTrue(feature.Valid, feature.getStatusString())
@@ -95,7 +95,7 @@ class Panel(GuiCase):
         panel = self.open(self.add_mesh(saddle()))
         self.child(panel, "Join").setCurrentIndex(2)
         self.wait_preview(panel)
-        with mock.patch("ThickenWorkbench.precomputed.thicken_mesh", side_effect=AssertionError("computed again")):
+        with mock.patch("ThickenWorkbench.core.precomputed.thicken_mesh", side_effect=AssertionError("computed again")):
             self.ok()
         feature = self.doc.getObject("Thicken")
         self.assertTrue(feature.Valid, feature.getStatusString())
@@ -113,7 +113,7 @@ class Panel(GuiCase):
         panel = self.open(self.add_mesh(plate()))
         self.child(panel, "Simplify").setCurrentIndex(1)
         self.wait_preview(panel)
-        with mock.patch("ThickenWorkbench.precomputed.thicken_mesh", side_effect=AssertionError("computed again")):
+        with mock.patch("ThickenWorkbench.core.precomputed.thicken_mesh", side_effect=AssertionError("computed again")):
             self.ok()
         feature = self.doc.getObject("Thicken")
         self.assertEqual(feature.Simplify, "Off")

@@ -8,7 +8,7 @@ from unittest import mock
 
 import FreeCADGui as Gui
 
-from ThickenWorkbench import native
+from thicken import native
 from ThickenWorkbench.gui import notice
 from ThickenWorkbench.gui.qt import QtWidgets
 from gui_case import GuiCase, click, process_events

@@ -9,7 +9,7 @@ from pathlib import Path
 import FreeCAD as App
 
 import ThickenWorkbench
-from ThickenWorkbench import native
+from thicken import native
 from thicken_case import DocumentCase
 from thicken_judge import is_closed_and_oriented, read_stl
 

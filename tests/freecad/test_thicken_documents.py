@@ -10,7 +10,8 @@ import FreeCAD as App
 import numpy as np
 
 import ThickenWorkbench
-from ThickenWorkbench import drain_holes, mesh_io, native, params, repair_feature
+from thicken import native
+from ThickenWorkbench import drain_holes, mesh_io, params, repair_feature
 from ThickenWorkbench.part_solid import PartSolidFeature
 from thicken_case import DocumentCase
 from thicken_surfaces import crossing_plates, fin, plate, saddle, together

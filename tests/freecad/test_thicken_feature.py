@@ -182,7 +182,7 @@ class Place(DocumentCase):
     def test_moving_the_source_computes_nothing(self):
         source = self.add_source(saddle())
         feature = ThickenWorkbench.make_thicken(self.doc, source, 1)
-        with mock.patch("ThickenWorkbench.precomputed.thicken_mesh", side_effect=AssertionError("computed again")):
+        with mock.patch("ThickenWorkbench.core.precomputed.thicken_mesh", side_effect=AssertionError("computed again")):
             source.Placement = self.PLACEMENT
             self.doc.recompute()
             self.assertTrue(feature.isValid(), feature.getStatusString())
@@ -199,7 +199,7 @@ class Place(DocumentCase):
         self.doc.commitTransaction()
         self.assertGreater(feature.Volume.Value, 1.5 * volume)
         self.doc.undo()
-        with mock.patch("ThickenWorkbench.precomputed.thicken_mesh", side_effect=AssertionError("computed again")):
+        with mock.patch("ThickenWorkbench.core.precomputed.thicken_mesh", side_effect=AssertionError("computed again")):
             self.doc.recompute()
             self.assertTrue(feature.isValid(), feature.getStatusString())
         self.assertEqual(feature.Volume.Value, volume)

@@ -7,7 +7,7 @@ from unittest import mock
 import numpy as np
 
 from ThickenWorkbench import numbers
-from ThickenWorkbench.drain_pools import volume_below
+from ThickenWorkbench.core.drain_pools import volume_below
 from test_thicken_part_solid import box
 
 

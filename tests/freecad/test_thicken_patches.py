@@ -5,7 +5,7 @@ import unittest
 
 import numpy as np
 
-from ThickenWorkbench.patches import SmoothPatches
+from ThickenWorkbench.core.patches import SmoothPatches
 from thicken_surfaces import grid, plate, together
 
 

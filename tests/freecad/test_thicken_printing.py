@@ -15,7 +15,8 @@ import numpy as np
 import Part
 
 import ThickenWorkbench
-from ThickenWorkbench import mesh_io, native
+from thicken import native
+from ThickenWorkbench import mesh_io
 from ThickenWorkbench.export import read_back
 from ThickenWorkbench.sources import RefusedError
 from thicken_case import DocumentCase

@@ -9,7 +9,8 @@ import FreeCAD as App
 import numpy as np
 
 import ThickenWorkbench
-from ThickenWorkbench import mesh_io, native
+from thicken import native
+from ThickenWorkbench import mesh_io
 from thicken_case import DocumentCase
 from thicken_surfaces import crossing_plates, fin, plate, saddle, together
 

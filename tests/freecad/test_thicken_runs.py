@@ -8,11 +8,13 @@ from unittest import mock
 import FreeCAD as App
 
 import ThickenWorkbench
-from ThickenWorkbench import native, preferences, runs
+from thicken import native
+from ThickenWorkbench import preferences, runs
 from ThickenWorkbench.check_surface import check_step
 from ThickenWorkbench.drain_holes import drill_step
 from ThickenWorkbench.export import export_step
-from ThickenWorkbench.printability import report_step, write_measured
+from ThickenWorkbench.printability import report_step
+from ThickenWorkbench.report_page import write_measured
 from ThickenWorkbench.repair_feature import Joins, repair_step
 from ThickenWorkbench.sources import RefusedError
 from ThickenWorkbench.thickness_map import map_step

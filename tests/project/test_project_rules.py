@@ -6,54 +6,30 @@ import re
 import unittest
 from pathlib import Path
 
-PROJECT = Path(__file__).resolve().parents[2]
+from project_sources import PROJECT, cycles, include_graph, joined, sources
+
 VERSION = os.environ["THICKEN_VERSION"]
-SOURCES = (".h", ".cpp", ".py", ".pyi", ".cmake", ".h.in", ".cmake.in")
 FOLDERS = ("libthicken", "thicken", "ThickenWorkbench", "packaging", "cmake", "examples", "tests")
-
-
-def sources(*folders: str) -> list[Path]:
-    files = [f for folder in folders for f in (PROJECT / folder).rglob("*") if f.is_file()]
-    return [f for f in files if f.name.endswith(SOURCES) or f.name == "CMakeLists.txt"]
 
 
 def offenders(files: list[Path], pattern: str) -> list[str]:
     return [str(f.relative_to(PROJECT)) for f in files if re.search(pattern, f.read_text(), re.MULTILINE)]
 
 
-def cycles(graph: dict[str, set[str]]) -> list[str]:
-    """Those nodes of a graph from which a way leads back to them."""
-
-    def reachable(start: str) -> set[str]:
-        seen: set[str] = set()
-        waiting = list(graph[start])
-        while waiting:
-            node = waiting.pop()
-            if node not in seen:
-                seen.add(node)
-                waiting += graph.get(node, ())
-        return seen
-
-    return sorted(node for node in graph if node in reachable(node))
-
-
 class Rules(unittest.TestCase):
     def test_no_units_of_the_library_include_each_other(self):
         """A unit is a header with its source; what is inline for speed has a header of its own, which belongs to it."""
-        root = PROJECT / "libthicken/src"
-        files = [f for f in root.rglob("*") if f.suffix in (".h", ".cpp")]
-
-        def unit(name: str) -> str:
-            return re.sub(r"(_inline)?\.(h|cpp)$", "", name)
-
-        graph: dict[str, set[str]] = {unit(str(f.relative_to(root))): set() for f in files}
+        graph = joined(include_graph(), lambda name: re.sub(r"(_inline)?\.(h|cpp)$", "", name))
         self.assertGreater(len(graph), 100)
-        for f in files:
-            own = unit(str(f.relative_to(root)))
-            included = {unit(name) for name in re.findall(r'^#include "(.+)"', f.read_text(), re.MULTILINE)}
-            graph[own] |= {name for name in included if name in graph and name != own}
         self.assertEqual(cycles(graph), [])
         self.assertEqual(cycles({"a": {"b"}, "b": {"c"}, "c": {"b"}}), ["b", "c"])
+
+    def test_no_folders_of_the_library_include_each_other(self):
+        """What lies beside the folders is what puts them together: no folder but the program's includes it."""
+        graph = joined(include_graph(), lambda name: name.rpartition("/")[0] or ".")
+        self.assertGreater(len(graph), 15)
+        self.assertEqual(cycles(graph), [])
+        self.assertEqual({folder for folder in graph if "." in graph[folder]}, {"program"})
 
     def test_every_source_names_the_licence_first(self):
         files = sources(*FOLDERS) + [f for f in (PROJECT / "scripts").iterdir() if f.is_file()]

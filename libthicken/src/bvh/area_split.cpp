@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
 
 namespace thicken {
 

@@ -8,7 +8,7 @@
 #include "bvh/area_split.h"
 #include "bvh/distance_tree.h"
 #include "mesh/bounds.h"
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
 
 namespace thicken {
 

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
 #include "thicken/closest_point.h"
 
 namespace thicken {

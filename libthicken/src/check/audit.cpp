@@ -15,7 +15,7 @@
 #include "exact/domain.h"
 #include "mesh/half_edges.h"
 #include "mesh/topology.h"
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
 #include "thicken/check.h"
 
 namespace thicken {

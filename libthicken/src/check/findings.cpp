@@ -7,7 +7,7 @@
 #include "mesh/buckets.h"
 #include "mesh/topology.h"
 #include "mesh/union_find.h"
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
 
 namespace thicken {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "exact/predicates.h"
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
 
 namespace thicken {
 namespace {

@@ -11,7 +11,7 @@
 #include "contour/face_matching.h"
 #include "field/block_bits.h"
 #include "mesh/parallel_sort.h"
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
 
 namespace thicken {
 

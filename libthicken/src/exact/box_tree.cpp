@@ -9,7 +9,7 @@
 #include "exact/clear_fans.h"
 #include "exact/self_meetings.h"
 #include "mesh/sort_unique.h"
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
 
 namespace thicken::exact {
 

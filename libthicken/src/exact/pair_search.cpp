@@ -8,7 +8,7 @@
 
 #include "exact/float_box.h"
 #include "mesh/sort_unique.h"
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
 
 namespace thicken::exact {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
 
 namespace thicken {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "exact/domain.h"
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
 
 namespace thicken {
 

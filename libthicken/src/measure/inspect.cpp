@@ -10,7 +10,7 @@
 #include "check/nesting.h"
 #include "measure/measure.h"
 #include "mesh/topology.h"
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
 #include "thicken/check.h"
 
 namespace thicken {

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
 
 namespace thicken {
 

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
 
 namespace thicken {
 

@@ -4,7 +4,7 @@
 #include "mesh/buckets.h"
 #include "mesh/half_edges.h"
 #include "mesh/union_find.h"
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
 
 namespace thicken {
 

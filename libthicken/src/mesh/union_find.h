@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
 #include "platform/shared_number.h"
 
 namespace thicken {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "mesh/topology.h"
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
 #include "platform/prefetch.h"
 #include "thicken/check.h"
 

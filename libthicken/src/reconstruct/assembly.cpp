@@ -8,7 +8,7 @@
 #include "exact/predicates.h"
 #include "mesh/float_lattice.h"
 #include "mesh/minimal_area.h"
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
 
 namespace thicken {
 

@@ -7,7 +7,7 @@
 
 #include "measure/stopwatch.h"
 #include "mesh/bounds.h"
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
 #include "platform/memory.h"
 #include "thicken/error.h"
 

@@ -8,7 +8,7 @@
 #include "mesh/bounds.h"
 #include "mesh/float_lattice.h"
 #include "mesh/sort_unique.h"
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
 
 namespace thicken {
 

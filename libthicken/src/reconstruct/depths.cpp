@@ -7,7 +7,7 @@
 
 #include "mesh/normals.h"
 #include "mesh/topology.h"
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
 
 namespace thicken {
 

@@ -6,7 +6,7 @@
 
 #include "measure/error_bound.h"
 #include "measure/stopwatch.h"
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
 #include "reconstruct/cells.h"
 #include "reconstruct/complete.h"
 #include "reconstruct/cut_around.h"

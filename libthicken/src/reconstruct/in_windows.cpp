@@ -6,7 +6,7 @@
 
 #include "field/uniform_grid.h"
 #include "measure/stopwatch.h"
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
 #include "reconstruct/cells.h"
 #include "thicken/error.h"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
 
 namespace thicken {
 

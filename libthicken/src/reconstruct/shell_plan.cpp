@@ -13,7 +13,7 @@
 #include "mesh/half_edges.h"
 #include "mesh/normals.h"
 #include "mesh/topology.h"
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
 #include "reconstruct/cells.h"
 
 namespace thicken {

@@ -6,7 +6,7 @@
 #include "check/findings.h"
 #include "check/surface_facts.h"
 #include "exact/predicates.h"
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
 
 namespace thicken::repairing {
 

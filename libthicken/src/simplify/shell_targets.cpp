@@ -9,7 +9,7 @@
 
 #include "measure/measure.h"
 #include "mesh/normals.h"
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
 
 namespace thicken::simplifying {
 

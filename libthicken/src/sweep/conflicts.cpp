@@ -5,7 +5,7 @@
 
 #include "exact/predicates.h"
 #include "mesh/sort_unique.h"
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
 
 namespace thicken {
 

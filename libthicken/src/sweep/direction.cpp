@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
 
 namespace thicken {
 

@@ -10,7 +10,7 @@
 #include "bvh/spatial_order.h"
 #include "measure/shell_samples.h"
 #include "mesh/buckets.h"
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
 #include "sweep/nearby.h"
 
 namespace thicken {

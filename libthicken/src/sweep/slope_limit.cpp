@@ -7,7 +7,7 @@
 
 #include "mesh/buckets.h"
 #include "mesh/sort_unique.h"
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
 
 namespace thicken {
 

@@ -17,7 +17,7 @@
 #include "mesh/normals.h"
 #include "mesh/sort_unique.h"
 #include "mesh/topology.h"
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
 #include "sweep/corners.h"
 #include "sweep/direction.h"
 #include "sweep/initial_depth.h"

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "mesh/normals.h"
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
 #include "sweep/direction.h"
 #include "sweep/initial_depth.h"
 #include "sweep/retreat.h"

@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "mesh/float_lattice.h"
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
 
 namespace thicken {
 

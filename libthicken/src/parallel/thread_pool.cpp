@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "thread_pool.h"
+#include "parallel/thread_pool.h"
 
 #include <cfenv>
 #include <condition_variable>

@@ -10,8 +10,8 @@
 #include <mutex>
 #include <thread>
 
+#include "parallel/thread_pool.h"
 #include "thicken/run_context.h"
-#include "thread_pool.h"
 
 namespace thicken {
 

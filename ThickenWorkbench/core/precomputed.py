@@ -48,4 +48,5 @@ def thicken(surface: tuple[ArrayLike, ArrayLike], arguments: dict[str, Any], **l
         solid = _offered.get(key(surface, arguments))
         if solid is not None:
             return solid
-    return thicken_mesh(*surface, **arguments, **limits)
+    vertices, triangles = surface
+    return thicken_mesh(vertices, triangles, **arguments, **limits)

@@ -23,6 +23,6 @@ def read_3mf(path: str | Path) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
     mesh = root.find(f".//{_CORE}mesh")
     if mesh is None:
         raise ValueError(f"{path} has no mesh")
-    vertices = [[float(v.get(axis)) for axis in "xyz"] for v in mesh.iter(f"{_CORE}vertex")]
-    triangles = [[int(t.get(corner)) for corner in ("v1", "v2", "v3")] for t in mesh.iter(f"{_CORE}triangle")]
+    vertices = [[float(v.attrib[axis]) for axis in "xyz"] for v in mesh.iter(f"{_CORE}vertex")]
+    triangles = [[int(t.attrib[corner]) for corner in ("v1", "v2", "v3")] for t in mesh.iter(f"{_CORE}triangle")]
     return np.array(vertices).reshape(-1, 3), np.array(triangles, np.int64).reshape(-1, 3)

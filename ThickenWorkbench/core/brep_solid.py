@@ -11,7 +11,7 @@ Indices of shapes count backwards from the last one written; those of curves and
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, Callable, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +20,9 @@ _SHELL_FLAGS = bytes([0, 1, 0, 1, 1, 0, 0])  # free, modified, checked, orientab
 _SOLID_FLAGS = bytes([0, 1, 0, 0, 0, 0, 0])
 _ROOT_FLAGS = bytes([1, 1, 0, 0, 0, 0, 0])
 _END = b"*"
+
+# From the number of a part, or an array of them, to what the file calls it.
+_Index = Callable[[Any], Any]
 
 _SUB = [("reversed", "u1"), ("index", "<i4"), ("location", "<i4")]
 _VERTEX = np.dtype([("kind", "u1"), ("tolerance", "<f8"), ("point", "<f8", 3), ("curves", "u1"), ("flags", "S7"),
@@ -58,7 +61,7 @@ def brep_bytes(
     total = sum(counts) + shells + len(solids) + (len(solids) > 1)
     first = np.concatenate([[0], np.cumsum(counts)])  # of vertices, edges, wires, faces, shells
 
-    def index(number: NDArray | int) -> NDArray | int:
+    def index(number: Any) -> Any:
         return total - number
 
     parts = [
@@ -114,7 +117,7 @@ def _vertices(points: NDArray, tolerance: float) -> bytes:
     return records.tobytes()
 
 
-def _edges(points: NDArray, edges: NDArray, tolerance: float, index) -> bytes:
+def _edges(points: NDArray, edges: NDArray, tolerance: float, index: _Index) -> bytes:
     records = np.zeros(len(edges), _EDGE)
     records["kind"] = 6
     records["tolerance"] = tolerance
@@ -166,7 +169,7 @@ def _with_subs(heads: NDArray, subs: NDArray, starts: NDArray) -> bytes:
     return out.tobytes()
 
 
-def _solids(faces: Faces, solids: list[list[int]], index, first: NDArray) -> list[bytes]:
+def _solids(faces: Faces, solids: list[list[int]], index: _Index, first: NDArray) -> list[bytes]:
     """Shells in the order of the solids, then the solids, then the compound of several."""
     parts = []
     order = [shell for solid in solids for shell in solid]

@@ -27,8 +27,8 @@ _NEAR = 1e-6
 class View(NamedTuple):
     """Where the eye is: `towards` looks into the picture, `up` points up in it."""
 
-    towards: tuple[float, float, float]
-    up: tuple[float, float, float]
+    towards: tuple[float, ...]
+    up: tuple[float, ...]
 
     def axes(self) -> NDArray:
         """Right, up and towards the eye, as rows."""

@@ -59,7 +59,7 @@ def _neighbours(triangles: NDArray, points: int) -> tuple[NDArray, NDArray]:
     return by_edge[:, 0], by_edge[:, 1]
 
 
-def _within_plane(points: NDArray, triangles: NDArray, normals: NDArray, of: NDArray, other: NDArray, allowed: float):
+def _within_plane(points: NDArray, triangles: NDArray, normals: NDArray, of: NDArray, other: NDArray, allowed: float) -> NDArray:
     """Whether all corners of the triangles `other` are in the planes of the triangles `of`."""
     ways = points[triangles[other]] - points[triangles[of, 0]][:, None]
     return np.abs(np.einsum("ikj,ij->ik", ways, normals[of])).max(axis=1) <= allowed
@@ -94,7 +94,9 @@ def _planes(points: NDArray, triangles: NDArray, patch_of: NDArray) -> tuple[NDA
     return origins / total[:, None], normals / np.maximum(np.linalg.norm(normals, axis=1), 1e-300)[:, None]
 
 
-def _split(points, triangles, patch_of, origins, normals, patches) -> tuple[NDArray, NDArray, NDArray]:
+def _split(
+    points: NDArray, triangles: NDArray, patch_of: NDArray, origins: NDArray, normals: NDArray, patches: list[int]
+) -> tuple[NDArray, NDArray, NDArray]:
     """The same with every triangle of `patches` a patch of its own."""
     if len(patches) == 0:
         return patch_of, origins, normals

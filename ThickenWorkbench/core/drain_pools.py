@@ -80,7 +80,7 @@ def _nearest_ends(extension: Any, vertices: NDArray, cavities: Sequence[Cavity],
         extension.closest_points(vertices, cavity.triangles, ends.reshape(-1, 3))["distance"].reshape(-1, 2)
         for cavity in cavities
     ], axis=1)  # fmt: skip
-    return [tuple(int(i) for i in np.unravel_index(found.argmin(), found.shape)) for found in away]
+    return [divmod(int(found.argmin()), 2) for found in away]
 
 
 def _lower_edge(ends: NDArray, end: int, up: NDArray, diameter: float) -> float:
