@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from ._thicken import RunContext
 
 _MIB = 1 << 20
+_STEEL = (120, 160, 205)
 
 
 class Region(IntEnum):
@@ -235,6 +236,38 @@ def trim(
         single=precision == "single", threads=threads, context=context,
     )  # fmt: skip
     return TrimmedMesh(**part)
+
+
+def render_picture(
+    vertices: ArrayLike,
+    triangles: ArrayLike,
+    colours: ArrayLike | None = None,
+    *,
+    region: ArrayLike | None = None,
+    towards: Sequence[float] | None = None,
+    up: Sequence[float] = (0, 0, 1),
+    size: tuple[int, int] = (640, 480),
+    cut: tuple[Sequence[float], Sequence[float]] | None = None,
+) -> bytes:
+    """Return a picture of a mesh as the bytes of a PNG file: what looks along `towards` sees, without perspective.
+
+    `colours`: m × 3 from 0 to 255, or one for all triangles. Or `region`, of a solid, for the colours of its regions;
+    with neither all is of one colour. `towards`: by default from the front, the right and above. `cut`: a point of a
+    plane and its normal, which faces the eye; what is on that side of the plane is taken away. Where a cut goes through
+    material, and where a mesh is open, its backs are seen in a colour of their own.
+    """
+    extension = native.load()
+    if colours is None and region is None:
+        colours = _STEEL
+    return extension.render_picture(
+        vertices, triangles, colours=None if colours is None else np.atleast_2d(colours), region=region,
+        towards=extension.view_direction(up, 30, 35) if towards is None else towards, up=up, size=size, cut=cut,
+    )  # fmt: skip
+
+
+def view_direction(up: Sequence[float], turn: float, rise: float) -> NDArray[np.float64]:
+    """Return `towards` for an eye that went `turn` degrees around a part that grows along `up`, and `rise` above it."""
+    return np.array(native.load().view_direction(up, turn, rise))
 
 
 def weld_mesh(vertices: ArrayLike, triangles: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.int64]]:

@@ -19,6 +19,7 @@
 #include "thicken/io.h"
 #include "thicken/mesh.h"
 #include "thicken/options.h"
+#include "thicken/picture.h"
 #include "thicken/repair.h"
 #include "thicken/report.h"
 #include "thicken/result.h"

@@ -25,6 +25,8 @@ constexpr double kMostSeconds = 1e9;
 // What the library has no opinion about, because it depends on the machine, is checked here;
 // requireValid() has the last word on everything else.
 constexpr int kMostThreads = 1024;
+// As large as renderPicture() takes.
+constexpr int kMostPixels = 8192;
 
 CLI::Validator threadNumber() {
   return {[](std::string& text) -> std::string {
@@ -95,6 +97,18 @@ double toUnit(const std::string& word) {
   if (found == kUnits.end())
     throw CLI::ValidationError("--unit", "it must be one of mm, cm, m, in, not " + word);
   return found->second;
+}
+
+// "1280x480"
+void setPictureSize(Arguments& arguments, const std::string& text) {
+  const std::size_t cross = text.find('x');
+  if (cross == std::string::npos ||
+      !CLI::detail::lexical_cast(text.substr(0, cross), arguments.pictureWidth) ||
+      !CLI::detail::lexical_cast(text.substr(cross + 1), arguments.pictureHeight) ||
+      std::min(arguments.pictureWidth, arguments.pictureHeight) < 1 ||
+      std::max(arguments.pictureWidth, arguments.pictureHeight) > kMostPixels)
+    throw CLI::ValidationError("--picture-size",
+                               "it must be two numbers of pixels up to 8192, such as 640x480, not " + text);
 }
 
 void describeRun(CLI::App& app, Arguments& arguments, double& memory) {
@@ -169,6 +183,11 @@ void describeThicken(CLI::App& app, Arguments& arguments) {
       "--sheets", arguments.sheets,
       "A solid for each sheet of a surface with three and more triangles at edges: objects of a .3mf, "
       "or numbered files");
+  app.add_option("--picture", arguments.picture, "Draw the solid into this file, a .png")->type_name("FILE");
+  app.add_option_function<std::string>(
+         "--picture-size", [&arguments](const std::string& text) { setPictureSize(arguments, text); },
+         "Pixels of the picture; twice as wide as high: from two sides; default: 1280x480")
+      ->type_name("WIDTHxHEIGHT");
   app.add_option("--repaired", arguments.repaired, "With --repair: write the surface that came of it, too")
       ->type_name("FILE");
 }
@@ -228,6 +247,11 @@ void refuseSharedPaths(const Arguments& arguments) {
                   [&](const std::filesystem::path& loop) { return samePath(arguments.output, loop); }))
     throw Error(ErrorCode::kInvalidArgument,
                 "OUTPUT names the file of a loop; give the part a name of its own");
+  if (taken(arguments.picture) || samePath(arguments.picture, arguments.report) ||
+      samePath(arguments.picture, arguments.repaired))
+    throw Error(
+        ErrorCode::kInvalidArgument,
+        "--picture names a file that the run reads or writes itself; give the picture a name of its own");
   if (taken(arguments.repaired))
     throw Error(
         ErrorCode::kInvalidArgument,
@@ -251,8 +275,9 @@ void refuseSkipping(const Arguments& arguments) {
 // What was given of the options, but for those that no byte of the output depends on. An option that is new
 // here counts until it is known to be one of them.
 std::vector<std::string> optionsOfOutput(const CLI::App& app) {
-  constexpr std::array<std::string_view, 8> kOthers{"INPUT",     "OUTPUT",    "--report", "--repaired",
-                                                    "--threads", "--timeout", "--quiet",  "--skip-if-same"};
+  constexpr std::array<std::string_view, 10> kOthers{
+      "INPUT",     "OUTPUT",  "--report",       "--repaired", "--threads",
+      "--timeout", "--quiet", "--skip-if-same", "--picture",  "--picture-size"};
   std::vector<std::string> given;
   for (const CLI::Option* option : app.get_options()) {
     const std::string name = option->get_name();

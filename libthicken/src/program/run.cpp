@@ -16,6 +16,7 @@
 #include "io/sha256.h"
 #include "measure/stopwatch.h"
 #include "platform/memory.h"
+#include "program/draw_solid.h"
 #include "program/files.h"
 #include "program/made_before.h"
 #include "program/messages.h"
@@ -102,6 +103,7 @@ void requireFree(const Arguments& arguments, std::size_t count) {
 // Solids, and what each report says; one of each but for --sheets.
 struct Made {
   std::vector<TriangleMesh> meshes;
+  std::vector<std::vector<Region>> regions;
   std::vector<Report> reports;
 };
 
@@ -119,6 +121,7 @@ Made makeSheets(const Arguments& arguments, const TriangleMesh& surface, const O
                       kReadShare + share * static_cast<double>(i + 1));
       Solid solid = thicken(sheets[i].mesh, options, context);
       made.meshes.push_back(std::move(solid.mesh));
+      made.regions.push_back(std::move(solid.region));
       made.reports.push_back(std::move(solid.report));
     } catch (const Error& error) {
       if (error.code() == ErrorCode::kCancelled || error.code() == ErrorCode::kTimeLimit) throw;
@@ -165,6 +168,7 @@ Made makeSolid(const Arguments& arguments, RunContext& context, std::vector<std:
   solid.report.warnings.insert(solid.report.warnings.begin(), warnings.begin(), warnings.end());
   Made made;
   made.meshes.push_back(std::move(solid.mesh));
+  made.regions.push_back(std::move(solid.region));
   made.reports.push_back(std::move(solid.report));
   return made;
 }
@@ -251,6 +255,7 @@ void requireFiles(const Arguments& arguments) {
   requireReadable(arguments.input);
   requireWritable(arguments.output);
   requireFolderFor(arguments.output);
+  if (!arguments.picture.empty()) requireFolderFor(arguments.picture);
   if (arguments.repaired.empty()) return;
   requireWritable(arguments.repaired);
   requireFolderFor(arguments.repaired);
@@ -275,6 +280,9 @@ void runThicken(const Arguments& arguments, RunContext context) {
     if (isReported) files.key = keyOf(arguments);
     if (arguments.skipIfSame && isMadeBefore(arguments, files.key)) return;
     made = makeSolid(arguments, context, warnings);
+    if (!arguments.picture.empty())
+      writePicture(arguments.picture,
+                   drawSolids(made.meshes, made.regions, arguments.pictureWidth, arguments.pictureHeight));
     if (arguments.sheets) printWarnings(arguments, warnings);
   });
   if (made.reports.empty()) {
