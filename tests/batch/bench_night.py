@@ -29,7 +29,7 @@ SLICE = 10.0  # seconds
 def parts_of(program: str, surfaces: Path, folder: Path, count: int) -> list[tuple[str, str]]:
     """File and thickness: all surfaces at the first thickness, then at the next."""
     sizes = []
-    for path in sorted(surfaces.absolute().glob("*.ply")):
+    for path in sorted(surfaces.absolute().glob("*.ply"))[:count]:
         subprocess.run([program, "check", path, "--quiet", "--report", folder / "check.json"], capture_output=True, check=True)
         facts = json.loads((folder / "check.json").read_text())["input"]
         sizes.append((str(path), facts["diagonal_mm"]))
