@@ -29,7 +29,7 @@ This package has the program for the command line.")
 
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libthicken-dev)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "libeigen3-dev, libzip-dev, g++")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "libeigen3-dev, libzip-dev, zlib1g-dev, g++")
 set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "library that makes printable solids of open mesh surfaces
 ${about}
 

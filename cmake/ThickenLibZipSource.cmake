@@ -3,7 +3,6 @@
 # Target LibZip::LibZip made of libzip's source as a static library that packs and nothing else: Debian has no
 # static libzip, and other systems none at all. -DFETCHCONTENT_SOURCE_DIR_LIBZIP=… names a folder that has the source.
 include(FetchContent)
-find_package(ZLIB REQUIRED)
 
 FetchContent_Declare(libzip
   URL https://deb.debian.org/debian/pool/main/libz/libzip/libzip_1.7.3.orig.tar.xz

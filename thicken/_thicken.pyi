@@ -52,6 +52,7 @@ def thicken(
     strict: bool = False,
     join: str | None = None,
     simplify: str = "auto",
+    gap: float = 0.0,
     threads: int = 0,
     context: RunContext | None = None,
 ) -> dict[str, Any]: ...
@@ -66,6 +67,7 @@ def forecast(
     cell: float | None = None,
     resolution: int | None = None,
     tolerance: float | None = None,
+    gap: float = 0.0,
     threads: int = 0,
 ) -> tuple[float, int]: ...
 def check(
@@ -98,6 +100,18 @@ def divide_into_sheets(
 def weld(vertices: ArrayLike, triangles: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.int64]]: ...
 def read_mesh(path: str | PathLike[str]) -> tuple[NDArray[np.float64], NDArray[np.int64]]: ...
 def write_mesh(path: str | PathLike[str], vertices: ArrayLike, triangles: ArrayLike) -> None: ...
+def render_picture(
+    vertices: ArrayLike,
+    triangles: ArrayLike,
+    *,
+    colours: ArrayLike | None = None,
+    region: ArrayLike | None = None,
+    towards: Sequence[float],
+    up: Sequence[float],
+    size: tuple[int, int],
+    cut: tuple[Sequence[float], Sequence[float]] | None = None,
+) -> bytes: ...
+def view_direction(up: Sequence[float], turn: float, rise: float) -> list[float]: ...
 def inspect(
     vertices: ArrayLike, triangles: ArrayLike, *, threads: int = 0, context: RunContext | None = None
 ) -> dict[str, Any]: ...

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from ._thicken import RunContext
 
 _MIB = 1 << 20
+_STEEL = (120, 160, 205)
 
 
 class Region(IntEnum):
@@ -39,6 +40,8 @@ class ThickenedMesh(NamedTuple):
     region: NDArray[np.uint8]  #: m values of Region
     depth: NDArray[np.float64]  #: how deep the solid is below each vertex of the surface
     report: dict[str, Any]  #: the object of docs/report.md
+    #: with `gap` the vertices and triangles of the surface there, which the solid keeps in place of the given one
+    gap_surface: tuple[NDArray[np.float64], NDArray[np.int64]] | None = None
 
 
 class RepairedMesh(NamedTuple):
@@ -87,6 +90,7 @@ def forecast_mesh(
     cell: float | None = None,
     resolution: int | None = None,
     tolerance: float | None = None,
+    gap: float = 0.0,
     threads: int = 0,
 ) -> tuple[float, int]:
     """Return the seconds and the bytes that thicken_mesh() is likely to take for a surface of this size.
@@ -95,7 +99,7 @@ def forecast_mesh(
     """
     return native.load().forecast(
         *size[:2], thickness, diagonal=size.diagonal, side=side, method=method,
-        cell=cell, resolution=resolution, tolerance=tolerance, threads=threads,
+        cell=cell, resolution=resolution, tolerance=tolerance, gap=gap, threads=threads,
     )  # fmt: skip
 
 
@@ -117,6 +121,7 @@ def thicken_mesh(
     strict: bool = False,
     join: Literal["mitre", "round"] | None = None,
     simplify: Literal["off", "auto", "shell"] = "auto",
+    gap: float = 0.0,
     threads: int = 0,
     memory: float | None = None,
     precision: Literal["single", "double"] = "single",
@@ -132,6 +137,7 @@ def thicken_mesh(
     `weld`, `bridge` and `fill_holes`: with `repair`, as in repair_mesh(); `strict` refuses a solid that lost much by it.
     `simplify`: triangles to merge into fewer within the tolerance: "off", "auto", those of walls and of a shell that is
     denser than the surface, or "shell", all but the surface's own.
+    `gap`: the solid begins so far from the surface; `gap_surface` of the result is what it keeps then.
     `memory` is a limit in MiB. `context` polls and cancels the run from another thread; Ctrl-C
     ends it as well. Other Python threads run meanwhile.
 
@@ -162,6 +168,7 @@ def thicken_mesh(
         strict=strict,
         join=join,
         simplify=simplify,
+        gap=gap,
         threads=threads,
         context=context,
     )
@@ -235,6 +242,38 @@ def trim(
         single=precision == "single", threads=threads, context=context,
     )  # fmt: skip
     return TrimmedMesh(**part)
+
+
+def render_picture(
+    vertices: ArrayLike,
+    triangles: ArrayLike,
+    colours: ArrayLike | None = None,
+    *,
+    region: ArrayLike | None = None,
+    towards: Sequence[float] | None = None,
+    up: Sequence[float] = (0, 0, 1),
+    size: tuple[int, int] = (640, 480),
+    cut: tuple[Sequence[float], Sequence[float]] | None = None,
+) -> bytes:
+    """Return a picture of a mesh as the bytes of a PNG file: what looks along `towards` sees, without perspective.
+
+    `colours`: m × 3 from 0 to 255, or one for all triangles. Or `region`, of a solid, for the colours of its regions;
+    with neither all is of one colour. `towards`: by default from the front, the right and above. `cut`: a point of a
+    plane and its normal, which faces the eye; what is on that side of the plane is taken away. Where a cut goes through
+    material, and where a mesh is open, its backs are seen in a colour of their own.
+    """
+    extension = native.load()
+    if colours is None and region is None:
+        colours = _STEEL
+    return extension.render_picture(
+        vertices, triangles, colours=None if colours is None else np.atleast_2d(colours), region=region,
+        towards=extension.view_direction(up, 30, 35) if towards is None else towards, up=up, size=size, cut=cut,
+    )  # fmt: skip
+
+
+def view_direction(up: Sequence[float], turn: float, rise: float) -> NDArray[np.float64]:
+    """Return `towards` for an eye that went `turn` degrees around a part that grows along `up`, and `rise` above it."""
+    return np.array(native.load().view_direction(up, turn, rise))
 
 
 def weld_mesh(vertices: ArrayLike, triangles: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.int64]]:

@@ -13,20 +13,33 @@ import subprocess
 import sys
 import tempfile
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
-from picture import Plane, View, beside, draw
+from picture import beside
+from picture import draw as draw_mesh
 from PIL import Image
 
 DATA = Path(__file__).resolve().parent.parent / "data"
 BONE, PAWN = DATA / "femur.ply", DATA / "pawn.ply"
 THICKNESS, CELL = 5.0, 1.6  # mm: wide cells, so that they can be seen
-VIEW = View(towards=(-0.75, 0.6, 0.25), up=(0, 0, 1))
+VIEW = (-0.75, 0.6, 0.25)  # that the eye looks in
 SIZE = (620, 560)
 REGIONS = np.array([(236, 201, 92), (110, 150, 205), (200, 82, 70)], float)
 REGION_NAMES = ("original surface", "shell", "wall")
 NODES = {"i": (90, 160, 90), "f": (110, 150, 205), "b": (236, 201, 92), "r": (200, 82, 70)}
 NODE_NAMES = {"i": "inside", "f": "too far", "b": "before S", "r": "beyond the rim"}
+
+
+class Plane(NamedTuple):
+    """Keeps what lies on the side that the normal points away from."""
+
+    point: np.ndarray
+    normal: np.ndarray
+
+
+def draw(vertices, triangles, colours, towards, size, cut: Plane | None = None) -> Image.Image:
+    return draw_mesh(vertices, triangles, colours, towards=towards, size=size, cut=cut)
 
 
 def read_ply(path: Path) -> tuple[np.ndarray, np.ndarray]:
@@ -79,11 +92,11 @@ def plain(triangles: np.ndarray, colour) -> np.ndarray:
     return np.tile(np.asarray(colour, float), (len(triangles), 1))
 
 
-def facing(vertices: np.ndarray, triangles: np.ndarray, view: View) -> np.ndarray:
+def facing(vertices: np.ndarray, triangles: np.ndarray, towards) -> np.ndarray:
     """The triangles of an open surface, turned so that none shows its back."""
     corners = vertices[triangles]
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    away = normals @ view.axes()[2] < 0
+    away = normals @ np.asarray(towards) > 0
     return np.where(away[:, None], triangles[:, ::-1], triangles)
 
 
@@ -105,7 +118,7 @@ def node_picture(folder: Path, surface, plane: Plane) -> Image.Image:
         mesh = cubes(places[slice_ & (letters == letter)] - side / 2, side)
         parts.append((*mesh, plain(mesh[1], colour)))
     vertices, triangles, colours = together(*parts)
-    return draw(vertices, triangles, colours, View(tuple(-plane.normal), (0, 0, 1)), SIZE)
+    return draw(vertices, triangles, colours, -plane.normal, SIZE)
 
 
 def cell_picture(folder: Path, surface) -> Image.Image:
@@ -137,7 +150,7 @@ def hollowing(program: Path, folder: Path) -> Image.Image:
     clipped = folder / "clipped.ply"
     write_ply(clipped, *upper_part(PAWN, 0.45))
     part = solid_of(program, clipped, thickness, folder)
-    view = View((0.3, 1, -0.25), (0, 0, 1))
+    view = (0.3, 1, -0.25)
     pictures = []
     for vertices, triangles in (whole, part):
         plane = Plane((vertices.min(0) + vertices.max(0)) / 2, np.array([0.0, -1.0, 0.0]))
@@ -181,7 +194,7 @@ def main() -> None:
             vertices, triangles = read_ply(folder / f"{stage}.ply")
             height = vertices[triangles][:, :, 2].mean(1)
             seen = new & (height < vertices[:, 2].min() + 0.3 * np.ptp(vertices[:, 2]))
-            view = View((-0.75, 0.6, 0.9), (0, 0, 1))
+            view = (-0.75, 0.6, 0.9)
             used, corners = np.unique(facing(vertices, triangles[seen], view), return_inverse=True)
             shaped.append(draw(vertices[used], corners.reshape(-1, 3), REGIONS[regions[seen]], view, SIZE))
         names = [(name, tuple(int(x) for x in colour)) for name, colour in zip(REGION_NAMES, REGIONS)]

@@ -24,6 +24,7 @@ THICKNESS = 3.0
 SIDE = "positive"
 
 COLOURS = np.array([(224, 190, 120), (110, 160, 215), (205, 95, 85)])  # original, shell, wall
+CUT = (70, 74, 82)  # what the library paints the backs of triangles in
 LEGEND = ["original surface", "shell", "wall"]
 
 
@@ -80,14 +81,15 @@ def draw_result(feature, png: Path) -> None:
     long_axis = np.argmax(np.ptp(solid.vertices, axis=0))
     up = np.eye(3)[long_axis]
     side = np.eye(3)[(long_axis + 1) % 3]
-    view = picture.View(towards=tuple(-(side + 0.5 * np.cross(up, side) + 0.25 * up)), up=tuple(up))
-    colours = COLOURS[solid.region]
-    cut = picture.Plane(middle, side)
+    towards = -(side + 0.5 * np.cross(up, side) + 0.25 * up)
     panels = [
-        picture.draw(solid.vertices, solid.triangles, colours, view, (640, 800), plane) for plane in (None, cut)
+        picture.draw(
+            solid.vertices, solid.triangles, COLOURS[solid.region], towards=towards, up=up, size=(640, 800), cut=cut
+        )
+        for cut in (None, (middle, side))
     ]
     legend = [(name, tuple(colour)) for name, colour in zip(LEGEND, COLOURS.tolist())]
-    picture.beside(panels, [*legend, ("cut through the material", picture.CUT)]).save(png)
+    picture.beside(panels, [*legend, ("cut through the material", CUT)]).save(png)
 
 
 def print_facts(feature) -> None:

@@ -43,6 +43,11 @@ py::dict toDict(Solid solid) {
   result["triangles"] = triangleArray(solid.mesh.triangles);
   result["region"] = regionArray(solid.region);
   result["depth"] = numberArray(std::move(solid.depth));
+  result["gap_surface"] = py::none();
+  if (solid.gapSurface) {
+    const py::array corners = triangleArray(solid.gapSurface->triangles);
+    result["gap_surface"] = py::make_tuple(positionArray(std::move(solid.gapSurface->positions)), corners);
+  }
   return result;
 }
 
@@ -52,7 +57,7 @@ py::dict thickenArrays(const py::object& vertices, const py::object& triangles, 
                        std::optional<double> tolerance, std::optional<int> smooth, bool repair,
                        std::optional<double> weldDistance, std::optional<double> bridge,
                        std::optional<double> fillHoles, bool strict, const std::optional<std::string>& join,
-                       const std::string& simplify, int threads, const std::optional<RunContext>& context) {
+                       const std::string& simplify, double gap, int threads, const std::optional<RunContext>& context) {
   if (!std::isfinite(thickness) || thickness <= 0)
     throw py::value_error("thickness must be a finite length above 0 mm");
   Options options;
@@ -65,6 +70,7 @@ py::dict thickenArrays(const py::object& vertices, const py::object& triangles, 
   options.tolerance = tolerance;
   if (join) options.join = chosen(kJoins, "join", *join);
   options.simplify = chosen(kSimplify, "simplify", simplify);
+  options.gap = gap;
   options.smooth = smooth;
   options.repair = repair;
   options.weld = weldDistance;
@@ -79,9 +85,11 @@ py::dict thickenArrays(const py::object& vertices, const py::object& triangles, 
 
 py::tuple forecastOf(std::size_t triangles, double area, double thickness, double diagonal,
                      const std::string& side, const std::string& method, std::optional<double> cell,
-                     std::optional<int> resolution, std::optional<double> tolerance, int threads) {
+                     std::optional<int> resolution, std::optional<double> tolerance, double gap,
+                     int threads) {
   Options options;
   options.thickness = thickness;
+  options.gap = gap;
   options.side = chosen(kSides, "side", side);
   options.method = chosen(kMethods, "method", method);
   options.cell = cell;
@@ -127,13 +135,13 @@ void bindThicken(py::module_& module) {
              arg("cell") = py::none(), arg("resolution") = py::none(), arg("tolerance") = py::none(),
              arg("smooth") = py::none(), arg("repair") = false, arg("weld") = py::none(),
              arg("bridge") = py::none(), arg("fill_holes") = py::none(), arg("strict") = false,
-             arg("join") = py::none(), arg("simplify") = "auto", arg("threads") = 0,
-             arg("context") = py::none(),
-             "Thicken a surface; returns a dict of vertices, triangles, region, depth and report.");
+             arg("join") = py::none(), arg("simplify") = "auto", arg("gap") = 0.0,
+             arg("threads") = 0, arg("context") = py::none(),
+             "Thicken a surface; returns a dict of vertices, triangles, region, depth, gap_surface and report.");
   module.def("forecast", &forecastOf, arg("triangles"), arg("area"), arg("thickness"), py::kw_only(),
              arg("diagonal") = 0.0, arg("side") = "negative", arg("method") = "auto",
              arg("cell") = py::none(), arg("resolution") = py::none(), arg("tolerance") = py::none(),
-             arg("threads") = 0,
+             arg("gap") = 0.0, arg("threads") = 0,
              "What thickening a surface of such a size is likely to take: seconds, and bytes at most.");
   module.def("check", &checkArrays, arg("vertices"), arg("triangles"), py::kw_only(), arg("threads") = 0,
              arg("context") = py::none(),

@@ -12,6 +12,7 @@ void bindContext(pybind11::module_& module);
 void bindThicken(pybind11::module_& module);
 void bindDrill(pybind11::module_& module);
 void bindInspect(pybind11::module_& module);
+void bindPicture(pybind11::module_& module);
 void bindRepair(pybind11::module_& module);
 void bindTrim(pybind11::module_& module);
 void bindFiles(pybind11::module_& module);

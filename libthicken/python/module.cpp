@@ -11,6 +11,7 @@ PYBIND11_MODULE(_thicken, module) {
   thicken::python::bindThicken(module);
   thicken::python::bindDrill(module);
   thicken::python::bindInspect(module);
+  thicken::python::bindPicture(module);
   thicken::python::bindRepair(module);
   thicken::python::bindTrim(module);
   thicken::python::bindFiles(module);

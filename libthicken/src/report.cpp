@@ -179,6 +179,17 @@ Json nearRimFacts(const NearRims& facts) {
   return {{"corners", facts.corners}, {"distance_mm", facts.distance}};
 }
 
+Json gapFacts(const std::optional<GapFacts>& gap) {
+  if (!gap) return nullptr;
+  return {{"mm", gap->asked},
+          {"least_mm", gap->least},
+          {"least_place_mm", toPlace(gap->leastPlace)},
+          {"short_share", gap->shortShare},
+          {"error", errorFacts(gap->error)},
+          {"left_out_mm2", gap->leftOut},
+          {"surface", surfaceFacts(gap->surface)}};
+}
+
 Json head(const char* status) {
   return {{"version", kVersion}, {"status", status}};
 }
@@ -195,6 +206,7 @@ Json reportOf(const Report& report, const FileFacts& files) {
   json["input"] = surfaceFacts(report.input);
   json["near_rims"] = nearRimFacts(report.nearRims);
   json["repair"] = repairFacts(report.repair);
+  json["gap"] = gapFacts(report.gap);
   json["parameters"] = parameters(report);
   json["field"] = {{"cells", report.fieldCells}, {"nodes", report.fieldNodes}, {"finest_cell_mm", nullptr}};
   if (report.finestCell > 0) json["field"]["finest_cell_mm"] = report.finestCell;

@@ -11,8 +11,10 @@ namespace {
 // A wall is thin below this share of the thickness.
 constexpr double kThin = 0.9;
 
-void addRepair(Report& report) {
-  if (!report.repair || report.repair->changes.empty()) return;
+}  // namespace
+
+std::optional<std::string> repairWarning(const Report& report) {
+  if (!report.repair || report.repair->changes.empty()) return std::nullopt;
   const RepairFacts& facts = *report.repair;
   std::string changes;
   for (const RepairChange& change : facts.changes)
@@ -22,8 +24,10 @@ void addRepair(Report& report) {
       facts.removed == 0
           ? "nothing of it was removed"
           : fmt::format("{} triangles with {} of its area were removed", facts.removed, percentText(share));
-  report.warnings.push_back(fmt::format("the surface was repaired ({}): {}", changes, removed));
+  return fmt::format("the surface was repaired ({}): {}", changes, removed);
 }
+
+namespace {
 
 void addThinPlaces(Report& report) {
   constexpr double kMuch = 1e-3;  // of the area; a smaller share is told only with a thin wall
@@ -104,7 +108,7 @@ std::string percentText(double share) {
 }
 
 void addWarnings(Report& report) {
-  addRepair(report);
+  if (auto repaired = repairWarning(report)) report.warnings.push_back(*std::move(repaired));
   addUnits(report);
   addThinPlaces(report);
   addThinThrough(report);

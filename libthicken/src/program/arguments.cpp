@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -25,6 +26,8 @@ constexpr double kMostSeconds = 1e9;
 // What the library has no opinion about, because it depends on the machine, is checked here;
 // requireValid() has the last word on everything else.
 constexpr int kMostThreads = 1024;
+// As large as renderPicture() takes.
+constexpr int kMostPixels = 8192;
 
 CLI::Validator threadNumber() {
   return {[](std::string& text) -> std::string {
@@ -97,6 +100,18 @@ double toUnit(const std::string& word) {
   return found->second;
 }
 
+// "1280x480"
+void setPictureSize(Arguments& arguments, const std::string& text) {
+  const std::size_t cross = text.find('x');
+  if (cross == std::string::npos ||
+      !CLI::detail::lexical_cast(text.substr(0, cross), arguments.pictureWidth) ||
+      !CLI::detail::lexical_cast(text.substr(cross + 1), arguments.pictureHeight) ||
+      std::min(arguments.pictureWidth, arguments.pictureHeight) < 1 ||
+      std::max(arguments.pictureWidth, arguments.pictureHeight) > kMostPixels)
+    throw CLI::ValidationError("--picture-size",
+                               "it must be two numbers of pixels up to 8192, such as 640x480, not " + text);
+}
+
 void describeRun(CLI::App& app, Arguments& arguments, double& memory) {
   app.add_option("--report", arguments.report, "Write the facts of the run to this file, as JSON")
       ->type_name("FILE");
@@ -132,6 +147,11 @@ void describeThicken(CLI::App& app, Arguments& arguments) {
       ->required()
       ->check(length())
       ->type_name("R");
+  app.add_option("--gap", options.gap, "The solid begins so far from the surface, mm; default: at the surface")
+      ->check(length())
+      ->type_name("G");
+  app.add_option("--gap-surface", arguments.gapSurface, "With --gap: write the surface that the solid begins at")
+      ->type_name("FILE");
   addChoice(app, "--side", options.side, std::vector{Side::kNegative, Side::kPositive, Side::kBoth},
             "Side of the surface for the material");
   addChoice(app, "--method", options.method, std::vector{Method::kAuto, Method::kSweep, Method::kReconstruct},
@@ -169,6 +189,11 @@ void describeThicken(CLI::App& app, Arguments& arguments) {
       "--sheets", arguments.sheets,
       "A solid for each sheet of a surface with three and more triangles at edges: objects of a .3mf, "
       "or numbered files");
+  app.add_option("--picture", arguments.picture, "Draw the solid into this file, a .png")->type_name("FILE");
+  app.add_option_function<std::string>(
+         "--picture-size", [&arguments](const std::string& text) { setPictureSize(arguments, text); },
+         "Pixels of the picture; twice as wide as high: from two sides; default: 1280x480")
+      ->type_name("WIDTHxHEIGHT");
   app.add_option("--repaired", arguments.repaired, "With --repair: write the surface that came of it, too")
       ->type_name("FILE");
 }
@@ -215,24 +240,25 @@ void describeTrim(CLI::App& app, Arguments& arguments) {
 
 // What is written beside the result must not take the place of a file of the user's, nor of the result.
 void refuseSharedPaths(const Arguments& arguments) {
-  const auto taken = [&](const std::filesystem::path& path) {
-    return samePath(path, arguments.input) || samePath(path, arguments.output) ||
-           std::any_of(arguments.loops.begin(), arguments.loops.end(),
+  const auto isLoop = [&](const std::filesystem::path& path) {
+    return std::any_of(arguments.loops.begin(), arguments.loops.end(),
                        [&](const std::filesystem::path& loop) { return samePath(path, loop); });
   };
-  if (taken(arguments.report) || samePath(arguments.report, arguments.repaired))
-    throw Error(
-        ErrorCode::kInvalidArgument,
-        "--report names a file that the run reads or writes itself; give the report a name of its own");
-  if (std::any_of(arguments.loops.begin(), arguments.loops.end(),
-                  [&](const std::filesystem::path& loop) { return samePath(arguments.output, loop); }))
+  if (isLoop(arguments.output))
     throw Error(ErrorCode::kInvalidArgument,
                 "OUTPUT names the file of a loop; give the part a name of its own");
-  if (taken(arguments.repaired))
-    throw Error(
-        ErrorCode::kInvalidArgument,
-        "--repaired names a file that the run reads or writes itself; give the repaired surface a name of "
-        "its own");
+  std::vector<std::filesystem::path> taken{arguments.input, arguments.output};
+  for (const auto& [path, flag, what] :
+       {std::tuple{arguments.repaired, "--repaired", "repaired surface"},
+        std::tuple{arguments.gapSurface, "--gap-surface", "gap surface"},
+        std::tuple{arguments.picture, "--picture", "picture"}, std::tuple{arguments.report, "--report", "report"}}) {
+    const auto isPath = [&path = path](const std::filesystem::path& other) { return samePath(path, other); };
+    if (isLoop(path) || std::any_of(taken.begin(), taken.end(), isPath))
+      throw Error(ErrorCode::kInvalidArgument,
+                  std::string(flag) + " names a file that the run reads or writes itself; give the " + what +
+                      " a name of its own");
+    taken.push_back(path);
+  }
 }
 
 void refuseSkipping(const Arguments& arguments) {
@@ -240,9 +266,11 @@ void refuseSkipping(const Arguments& arguments) {
   if (arguments.report.empty())
     throw Error(ErrorCode::kInvalidArgument,
                 "--skip-if-same compares with the report of the last run; give --report, too");
-  if (!arguments.repaired.empty())
-    throw Error(ErrorCode::kInvalidArgument,
-                "--skip-if-same looks at one output; leave out --repaired, or --skip-if-same");
+  for (const auto& [other, flag] : {std::pair{arguments.repaired, "--repaired"},
+                                    std::pair{arguments.gapSurface, "--gap-surface"}})
+    if (!other.empty())
+      throw Error(ErrorCode::kInvalidArgument,
+                  std::string("--skip-if-same looks at one output; leave out ") + flag + ", or --skip-if-same");
   if (arguments.sheets)
     throw Error(ErrorCode::kInvalidArgument,
                 "--skip-if-same looks at one solid; leave out --sheets, or --skip-if-same");
@@ -251,8 +279,9 @@ void refuseSkipping(const Arguments& arguments) {
 // What was given of the options, but for those that no byte of the output depends on. An option that is new
 // here counts until it is known to be one of them.
 std::vector<std::string> optionsOfOutput(const CLI::App& app) {
-  constexpr std::array<std::string_view, 8> kOthers{"INPUT",     "OUTPUT",    "--report", "--repaired",
-                                                    "--threads", "--timeout", "--quiet",  "--skip-if-same"};
+  constexpr std::array<std::string_view, 11> kOthers{
+      "INPUT",     "OUTPUT",  "--report",       "--repaired", "--threads",
+      "--timeout", "--quiet", "--skip-if-same", "--picture",  "--picture-size", "--gap-surface"};
   std::vector<std::string> given;
   for (const CLI::Option* option : app.get_options()) {
     const std::string name = option->get_name();
@@ -306,6 +335,9 @@ Request readArguments(int argc, const char* const* argv) {
   if (!arguments.repaired.empty() && arguments.sheets)
     throw Error(ErrorCode::kInvalidArgument,
                 "--repaired writes one surface, and --sheets makes several; leave out one");
+  if (!arguments.gapSurface.empty() && (!(arguments.options.gap > 0) || arguments.sheets))
+    throw Error(ErrorCode::kInvalidArgument,
+                "--gap-surface writes what --gap makes of one surface; give --gap, and leave out --sheets");
   arguments.limitGiven = memory > 0;
   arguments.memoryLimit = memory > 0 ? static_cast<std::size_t>(memory * kMebibyte) : machineMemory();
   arguments.given = optionsOfOutput(app);

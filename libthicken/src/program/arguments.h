@@ -28,7 +28,11 @@ struct Arguments {
   bool skipIfSame = false;         ///< kThicken only: not to make once more what is there
   std::vector<std::string> given;  ///< the options that the output depends on, as they were given
   bool limitGiven = false;         ///< whether it was asked for, and is not just what the machine has
-  double unit = 1;                 ///< mm, of the numbers of the input and of loops
+  std::filesystem::path gapSurface;  ///< kThicken only: where the surface at the gap goes; empty: nowhere
+  std::filesystem::path gapSurface;  ///< kThicken only: where the surface at the gap goes; empty: nowhere
+  std::filesystem::path picture;   ///< kThicken only: where a picture of the solid goes; empty: nowhere
+  int pictureWidth = 1280, pictureHeight = 480;
+  double unit = 1;  ///< mm, of the numbers of the input and of loops
   bool quiet = false;
   bool sheets = false;                       ///< kThicken only: a solid for each sheet of the surface
   std::vector<std::filesystem::path> loops;  ///< kTrim only

@@ -24,7 +24,9 @@ std::string keyOf(const Arguments& arguments) {
 }
 
 bool isMadeBefore(const Arguments& arguments, const std::string& key) {
-  if (key.empty()) return false;
+  std::error_code ignored;
+  if (key.empty() || (!arguments.picture.empty() && !std::filesystem::exists(arguments.picture, ignored)))
+    return false;
   std::ifstream file(arguments.report, std::ios::binary);
   const nlohmann::json report = nlohmann::json::parse(file, nullptr, false);
   if (!report.is_object() || report.value("status", nlohmann::json()) != "ok" ||

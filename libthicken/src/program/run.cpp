@@ -16,6 +16,7 @@
 #include "io/sha256.h"
 #include "measure/stopwatch.h"
 #include "platform/memory.h"
+#include "program/draw_solid.h"
 #include "program/files.h"
 #include "program/made_before.h"
 #include "program/messages.h"
@@ -102,6 +103,7 @@ void requireFree(const Arguments& arguments, std::size_t count) {
 // Solids, and what each report says; one of each but for --sheets.
 struct Made {
   std::vector<TriangleMesh> meshes;
+  std::vector<std::vector<Region>> regions;
   std::vector<Report> reports;
 };
 
@@ -119,6 +121,7 @@ Made makeSheets(const Arguments& arguments, const TriangleMesh& surface, const O
                       kReadShare + share * static_cast<double>(i + 1));
       Solid solid = thicken(sheets[i].mesh, options, context);
       made.meshes.push_back(std::move(solid.mesh));
+      made.regions.push_back(std::move(solid.region));
       made.reports.push_back(std::move(solid.report));
     } catch (const Error& error) {
       if (error.code() == ErrorCode::kCancelled || error.code() == ErrorCode::kTimeLimit) throw;
@@ -145,7 +148,8 @@ Made makeSolid(const Arguments& arguments, RunContext& context, std::vector<std:
   reading.lap("read");
   Options options = arguments.options;
   options.precision = storedPrecision(arguments.output);
-  // The repaired surface has to be found in the solid bit for bit, whatever either file stores.
+  // The surface that is written has to be found in the solid bit for bit, whatever either file stores. That at a
+  // gap is of floats in either case.
   if (!arguments.repaired.empty() && storedPrecision(arguments.repaired) == Precision::kSingle)
     options.precision = Precision::kSingle;
   if (arguments.sheets) return makeSheets(arguments, surface, options, context);
@@ -157,6 +161,7 @@ Made makeSolid(const Arguments& arguments, RunContext& context, std::vector<std:
   context.enter(Stage::kWriting, 0, 1, 0);
   Stopwatch writing;
   if (!arguments.repaired.empty()) writeMesh(arguments.repaired, *solid.repaired);
+  if (!arguments.gapSurface.empty()) writeMesh(arguments.gapSurface, *solid.gapSurface);
   writeMesh(arguments.output, solid.mesh);
   writing.lap("write");
   auto& seconds = solid.report.seconds;
@@ -165,6 +170,7 @@ Made makeSolid(const Arguments& arguments, RunContext& context, std::vector<std:
   solid.report.warnings.insert(solid.report.warnings.begin(), warnings.begin(), warnings.end());
   Made made;
   made.meshes.push_back(std::move(solid.mesh));
+  made.regions.push_back(std::move(solid.region));
   made.reports.push_back(std::move(solid.report));
   return made;
 }
@@ -251,9 +257,12 @@ void requireFiles(const Arguments& arguments) {
   requireReadable(arguments.input);
   requireWritable(arguments.output);
   requireFolderFor(arguments.output);
-  if (arguments.repaired.empty()) return;
-  requireWritable(arguments.repaired);
-  requireFolderFor(arguments.repaired);
+  if (!arguments.picture.empty()) requireFolderFor(arguments.picture);
+  for (const std::filesystem::path& path : {arguments.repaired, arguments.gapSurface}) {
+    if (path.empty()) continue;
+    requireWritable(path);
+    requireFolderFor(path);
+  }
 }
 
 }  // namespace
@@ -275,6 +284,9 @@ void runThicken(const Arguments& arguments, RunContext context) {
     if (isReported) files.key = keyOf(arguments);
     if (arguments.skipIfSame && isMadeBefore(arguments, files.key)) return;
     made = makeSolid(arguments, context, warnings);
+    if (!arguments.picture.empty())
+      writePicture(arguments.picture,
+                   drawSolids(made.meshes, made.regions, arguments.pictureWidth, arguments.pictureHeight));
     if (arguments.sheets) printWarnings(arguments, warnings);
   });
   if (made.reports.empty()) {
