@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What pages name is there: options, files, names of the code, other pages and their headings."""
+
+import re
+import unittest
+from pathlib import Path
+
+from project_sources import PROJECT, sources
+
+PAGES = [*sorted((PROJECT / "docs").rglob("*.md")), PROJECT / "README.md", PROJECT / "CONTRIBUTING.md"]
+
+# Of programs that are not ours: CMake, CTest, GoogleTest, Google Benchmark, Snakemake, perf, and the judge's corpus.
+FOREIGN = {
+    "--build", "--config", "--install", "--prefix", "--preset", "--target", "--output-on-failure", "--test-dir", "--gtest",
+    "--benchmark", "--cores", "--profile", "--call-graph", "--tool", "--set", "--out", "--rotate", "--scale", "--suffix",
+}  # fmt: skip
+
+# Where a path in a page may begin.
+ROOTS = ("", "libthicken/src", "libthicken/include", "docs", "ThickenWorkbench")
+
+# Folders that builds and runs make, and placeholders.
+MADE = ("build", "bin/", "out/", "night/", "tests/fuzz/FORMAT")
+
+# The names of ways to write names.
+STYLES = {"UpperCamel", "lowerCamel", "kUpperCamel"}
+
+FENCE = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
+
+
+def text_of_sources() -> str:
+    files = [f for f in sources("libthicken", "thicken", "ThickenWorkbench", "examples", "tests", "cmake", "packaging") if f != Path(__file__)]
+    files += [f for folder in ("scripts", "examples") for f in (PROJECT / folder).rglob("*") if f.is_file() and f.suffix in ("", ".sh", ".smk", ".json")]
+    files += [PROJECT / "CMakePresets.json", PROJECT / "CMakeLists.txt", PROJECT / "docs/report.schema.json"]
+    return "\n".join(f.read_text(errors="replace") for f in files)
+
+
+def anchor_of(heading: str) -> str:
+    """As GitHub makes it."""
+    return re.sub(r"[^\w\- ]", "", heading.strip().lower()).replace(" ", "-")
+
+
+class Docs(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.code = text_of_sources()
+        cls.words = set(re.findall(r"\w+", cls.code))
+
+    def each(self, pattern: str) -> list[tuple[str, str]]:
+        """What a pattern finds in back quotes of pages."""
+        found = []
+        for page in PAGES:
+            name = page.relative_to(PROJECT).as_posix()
+            for quoted in re.findall(r"`([^`\n]+)`", FENCE.sub("", page.read_text())):
+                if re.fullmatch(pattern, quoted):
+                    found.append((name, quoted))
+        return found
+
+    def test_options(self):
+        found = [(p.name, option) for p in PAGES for option in re.findall(r"(?<![\w-])--[a-z][a-z-]+", p.read_text())]
+        self.assertGreater(len(found), 100)
+        ours = set(re.findall(r"--[a-z][a-z-]+", self.code))
+        self.assertEqual([pair for pair in found if pair[1] not in FOREIGN | ours], [])
+
+    def test_files(self):
+        found = self.each(r"[\w.-]{2,}(/[a-z_0-9][\w.-]*)+/?")
+        self.assertGreater(len(found), 40)
+        missing = []
+        for page, name in found:
+            places = [PROJECT / root / name for root in ROOTS]
+            if not any(p.exists() or p.with_suffix(".h").exists() or p.with_suffix(".cpp").exists() for p in places):
+                missing.append((page, name))
+        self.assertEqual([pair for pair in missing if not pair[1].startswith(MADE)], [])
+
+    def test_names_of_the_code(self):
+        """Functions, constants, types and environment variables; of FreeCAD's own only those that the workbench uses."""
+        pattern = r"[\w.:]*(\w+\(\)|\bk[A-Z]\w+|[A-Z][a-z0-9]+[A-Z]\w*|[A-Z]{3,}_\w+|[a-z]+[A-Z]\w*)"
+        found = self.each(pattern)
+        self.assertGreater(len(found), 40)
+        missing = [(page, name) for page, name in found if re.findall(r"\w+", name)[-1] not in self.words | STYLES]
+        self.assertEqual(missing, [])
+
+    def test_links(self):
+        count = 0
+        for page in PAGES:
+            for target in re.findall(r"\]\(([^)\s]+)\)", FENCE.sub("", page.read_text())):
+                if "://" in target:
+                    continue
+                count += 1
+                name, _, anchor = target.partition("#")
+                with self.subTest(page=page.name, target=target):
+                    file = (page.parent / name) if name else page
+                    self.assertTrue(file.exists())
+                    if anchor:
+                        headings = re.findall(r"^#+ (.+)$", file.read_text(), re.MULTILINE)
+                        self.assertIn(anchor, [anchor_of(heading) for heading in headings])
+        self.assertGreater(count, 50)
+
+
+if __name__ == "__main__":
+    unittest.main()
