@@ -10,7 +10,7 @@
 #include "measure/warnings.h"
 #include "mesh/place_text.h"
 #include "mesh/topology.h"
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
 #include "repair/fans.h"
 #include "repair/outcome.h"
 #include "repair/workpiece.h"

@@ -29,7 +29,6 @@ struct Arguments {
   std::vector<std::string> given;  ///< the options that the output depends on, as they were given
   bool limitGiven = false;         ///< whether it was asked for, and is not just what the machine has
   std::filesystem::path gapSurface;  ///< kThicken only: where the surface at the gap goes; empty: nowhere
-  std::filesystem::path gapSurface;  ///< kThicken only: where the surface at the gap goes; empty: nowhere
   std::filesystem::path picture;   ///< kThicken only: where a picture of the solid goes; empty: nowhere
   int pictureWidth = 1280, pictureHeight = 480;
   double unit = 1;  ///< mm, of the numbers of the input and of loops
