@@ -79,6 +79,21 @@ class Docs(unittest.TestCase):
         missing = [(page, name) for page, name in found if re.findall(r"\w+", name)[-1] not in self.words | STYLES]
         self.assertEqual(missing, [])
 
+    def test_example_in_cpp_is_the_one_that_is_built(self):
+        """tests/consume builds it against the installed library."""
+        (block,) = re.findall(r"^```cpp\n(.*?)^```", (PROJECT / "docs/cpp.md").read_text(), re.MULTILINE | re.DOTALL)
+        example = (PROJECT / "examples/cpp/thicken_example.cpp").read_text()
+        self.assertEqual(block, example[example.index("#include") :])
+
+    def test_every_public_header_is_on_its_page(self):
+        text = (PROJECT / "docs/cpp.md").read_text()
+        headers = [f.name for f in (PROJECT / "libthicken/include/thicken").glob("*.h") if f.name != "surface_facts.h"]
+        self.assertGreater(len(headers), 10)
+        self.assertEqual([name for name in headers if f"`thicken/{name}`" not in text], [])
+
+    def test_performance_is_a_page_and_no_log(self):
+        self.assertLessEqual(len((PROJECT / "docs/performance.md").read_text().splitlines()), 100)
+
     def test_links(self):
         count = 0
         for page in PAGES:
