@@ -79,6 +79,28 @@ class Docs(unittest.TestCase):
         missing = [(page, name) for page, name in found if re.findall(r"\w+", name)[-1] not in self.words | STYLES]
         self.assertEqual(missing, [])
 
+    def test_formats(self):
+        """Each extension in the table of io/formats.cpp is named wherever docs/formats.md says under "Adding a format"."""
+        rows = re.findall(r'Format\{"(\.\w+)", (\w+), (\w+)', (PROJECT / "libthicken/src/io/formats.cpp").read_text())
+        self.assertGreater(len(rows), 4)
+        read, written = ({row[0] for row in rows if row[k] != "nullptr"} for k in (1, 2))
+        places = [
+            ("docs/formats.md", r"^\| `(\.\w+)` \|.*", read | written),
+            ("docs/program.md", r"^\| `INPUT` \|.*", read),
+            ("docs/program.md", r"^\| `OUTPUT` \|.*", written),
+            ("libthicken/src/program/arguments.cpp", r'"Surface: .*"', read),
+            ("libthicken/src/program/arguments.cpp", r'"Solid: .*"', written),
+            ("libthicken/python/bind_files.cpp", r'"Read \..*"', read),
+            ("libthicken/python/bind_files.cpp", r'"Write \..*"', written),
+            ("thicken/arrays.py", r'"""Return the vertices and triangles of a .*', read),
+            ("thicken/arrays.py", r'"""Write \..*', written),
+        ]
+        for name, pattern, extensions in places:
+            lines = [match[0] for match in re.finditer(pattern, (PROJECT / name).read_text(), re.MULTILINE)]
+            with self.subTest(name, pattern=pattern):
+                self.assertNotEqual(lines, [])
+                self.assertEqual({e for e in extensions if not any(re.search(rf"\{e}\b", line) for line in lines)}, set())
+
     def test_example_in_cpp_is_the_one_that_is_built(self):
         """tests/consume builds it against the installed library."""
         (block,) = re.findall(r"^```cpp\n(.*?)^```", (PROJECT / "docs/cpp.md").read_text(), re.MULTILINE | re.DOTALL)
