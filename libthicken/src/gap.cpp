@@ -64,7 +64,7 @@ TriangleMesh surfaceOf(const Solid& solid, Region region, bool turned) {
 TriangleMesh withoutShreds(TriangleMesh shell, double gap, double& leftOut) {
   const VertexTriangles around = vertexTriangles(shell.positions.size(), shell.triangles);
   repairing::Workpiece piece(std::move(shell));
-  repairing::openPinchedVertices(piece, around);
+  repairing::openNonManifoldVertices(piece, around);
   const std::size_t count = piece.mesh.triangles.size();
   std::vector<Triangle> left;
   std::vector<double> area;
