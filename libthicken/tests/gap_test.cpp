@@ -3,6 +3,7 @@
 // Solids that begin at a gap from their surface.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -110,7 +111,8 @@ TEST(Gap, TellsWhereThereIsNoRoomForIt) {
   EXPECT_GT(gap.shortShare, 0.1);
   EXPECT_LT(gap.least, 0.72);
   ASSERT_FALSE(solid.report.warnings.empty());
-  EXPECT_NE(solid.report.warnings.front().find("the gap of 0.8 mm is not kept everywhere"), std::string::npos);
+  EXPECT_NE(solid.report.warnings.front().find("the gap of 0.8 mm is not kept everywhere"),
+            std::string::npos);
   double least = 1;
   const ClosestPointTree tree(weld(shapes::roll(60, 3, 1, 2)));
   for (const Vec3& p : solid.mesh.positions) least = std::min(least, tree.closest(p)->distance);
