@@ -18,8 +18,8 @@ FOREIGN = {
 # Where a path in a page may begin.
 ROOTS = ("", "libthicken/src", "libthicken/include", "docs", "ThickenWorkbench")
 
-# Folders that builds and runs make, and placeholders.
-MADE = ("build", "bin/", "out/", "night/", "tests/fuzz/FORMAT")
+# Folders that builds and runs make, what lies beside the project where there is a corpus, and placeholders.
+MADE = ("build", "bin/", "out/", "night/", "../", "tests/fuzz/FORMAT")
 
 # The names of ways to write names.
 STYLES = {"UpperCamel", "lowerCamel", "kUpperCamel"}
