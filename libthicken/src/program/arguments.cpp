@@ -133,7 +133,8 @@ void describeRun(CLI::App& app, Arguments& arguments, double& memory) {
   app.set_help_flag("-h,--help", "Print this help");
 }
 
-void describeThicken(CLI::App& app, Arguments& arguments) {
+// What the solid is like.
+void describeSolid(CLI::App& app, Arguments& arguments) {
   app.description(
       "Turns an open surface into a printable solid that keeps every triangle of the surface.\n"
       "Lengths are millimetres. `thicken check INPUT` examines a surface only, `thicken trim` cuts a part "
@@ -147,10 +148,12 @@ void describeThicken(CLI::App& app, Arguments& arguments) {
       ->required()
       ->check(length())
       ->type_name("R");
-  app.add_option("--gap", options.gap, "The solid begins so far from the surface, mm; default: at the surface")
+  app.add_option("--gap", options.gap,
+                 "The solid begins so far from the surface, mm; default: at the surface")
       ->check(length())
       ->type_name("G");
-  app.add_option("--gap-surface", arguments.gapSurface, "With --gap: write the surface that the solid begins at")
+  app.add_option("--gap-surface", arguments.gapSurface,
+                 "With --gap: write the surface that the solid begins at")
       ->type_name("FILE");
   addChoice(app, "--side", options.side, std::vector{Side::kNegative, Side::kPositive, Side::kBoth},
             "Side of the surface for the material");
@@ -168,6 +171,11 @@ void describeThicken(CLI::App& app, Arguments& arguments) {
             std::vector{Simplify::kOff, Simplify::kAuto, Simplify::kShell},
             "Merge triangles that were added, within the tolerance");
   app.add_option("--smooth", options.smooth, "Rounds of shape optimisation")->type_name("ROUNDS");
+}
+
+void describeThicken(CLI::App& app, Arguments& arguments) {
+  describeSolid(app, arguments);
+  Options& options = arguments.options;
   app.add_flag("--repair", options.repair, "Mend a defective surface first and report every change");
   app.add_option("--weld", options.weld, "With --repair: join rims that are at most so far apart, mm")
       ->check(length())
@@ -248,10 +256,10 @@ void refuseSharedPaths(const Arguments& arguments) {
     throw Error(ErrorCode::kInvalidArgument,
                 "OUTPUT names the file of a loop; give the part a name of its own");
   std::vector<std::filesystem::path> taken{arguments.input, arguments.output};
-  for (const auto& [path, flag, what] :
-       {std::tuple{arguments.repaired, "--repaired", "repaired surface"},
-        std::tuple{arguments.gapSurface, "--gap-surface", "gap surface"},
-        std::tuple{arguments.picture, "--picture", "picture"}, std::tuple{arguments.report, "--report", "report"}}) {
+  for (const auto& [path, flag, what] : {std::tuple{arguments.repaired, "--repaired", "repaired surface"},
+                                         std::tuple{arguments.gapSurface, "--gap-surface", "gap surface"},
+                                         std::tuple{arguments.picture, "--picture", "picture"},
+                                         std::tuple{arguments.report, "--report", "report"}}) {
     const auto isPath = [&path = path](const std::filesystem::path& other) { return samePath(path, other); };
     if (isLoop(path) || std::any_of(taken.begin(), taken.end(), isPath))
       throw Error(ErrorCode::kInvalidArgument,
@@ -266,11 +274,11 @@ void refuseSkipping(const Arguments& arguments) {
   if (arguments.report.empty())
     throw Error(ErrorCode::kInvalidArgument,
                 "--skip-if-same compares with the report of the last run; give --report, too");
-  for (const auto& [other, flag] : {std::pair{arguments.repaired, "--repaired"},
-                                    std::pair{arguments.gapSurface, "--gap-surface"}})
+  for (const auto& [other, flag] :
+       {std::pair{arguments.repaired, "--repaired"}, std::pair{arguments.gapSurface, "--gap-surface"}})
     if (!other.empty())
-      throw Error(ErrorCode::kInvalidArgument,
-                  std::string("--skip-if-same looks at one output; leave out ") + flag + ", or --skip-if-same");
+      throw Error(ErrorCode::kInvalidArgument, std::string("--skip-if-same looks at one output; leave out ") +
+                                                   flag + ", or --skip-if-same");
   if (arguments.sheets)
     throw Error(ErrorCode::kInvalidArgument,
                 "--skip-if-same looks at one solid; leave out --sheets, or --skip-if-same");
@@ -280,8 +288,8 @@ void refuseSkipping(const Arguments& arguments) {
 // here counts until it is known to be one of them.
 std::vector<std::string> optionsOfOutput(const CLI::App& app) {
   constexpr std::array<std::string_view, 11> kOthers{
-      "INPUT",     "OUTPUT",  "--report",       "--repaired", "--threads",
-      "--timeout", "--quiet", "--skip-if-same", "--picture",  "--picture-size", "--gap-surface"};
+      "INPUT",   "OUTPUT",         "--report",  "--repaired",     "--threads",    "--timeout",
+      "--quiet", "--skip-if-same", "--picture", "--picture-size", "--gap-surface"};
   std::vector<std::string> given;
   for (const CLI::Option* option : app.get_options()) {
     const std::string name = option->get_name();
