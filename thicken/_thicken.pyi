@@ -54,6 +54,7 @@ def thicken(
     simplify: str = "auto",
     threads: int = 0,
     context: RunContext | None = None,
+    thickness_map: Sequence[float] = (),
 ) -> dict[str, Any]: ...
 def forecast(
     triangles: int,

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace thicken {
 
@@ -42,6 +43,9 @@ enum class Precision {
 
 struct Options {
   double thickness = 0;  ///< r > 0, finite
+  /// Factors of it, > 0, one for each vertex of the surface, linear over its triangles; empty: 1 everywhere.
+  /// A point of the solid is as deep as its closest point on the surface asks for, r(c(p)).
+  std::vector<double> thicknessMap = {};
   Side side = Side::kNegative;
   Method method = Method::kAuto;
   Precision precision = Precision::kDouble;

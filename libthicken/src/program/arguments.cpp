@@ -132,6 +132,9 @@ void describeThicken(CLI::App& app, Arguments& arguments) {
       ->required()
       ->check(length())
       ->type_name("R");
+  app.add_option("--thickness-map", arguments.thicknessMap,
+                 "Property of the vertices of a .ply surface: factors of the thickness")
+      ->type_name("NAME");
   addChoice(app, "--side", options.side, std::vector{Side::kNegative, Side::kPositive, Side::kBoth},
             "Side of the surface for the material");
   addChoice(app, "--method", options.method, std::vector{Method::kAuto, Method::kSweep, Method::kReconstruct},

@@ -23,6 +23,7 @@ struct Arguments {
   std::filesystem::path report;    ///< empty: none
   std::filesystem::path repaired;  ///< kThicken only: where the repaired surface goes; empty: nowhere
   Options options;                 ///< kThicken only; precision follows from the output
+  std::string thicknessMap;        ///< kThicken only: a property of the vertices; empty: none
   std::size_t memoryLimit = 0;     ///< bytes; 0: no limit
   double timeLimit = 0;            ///< seconds; 0: no limit
   bool skipIfSame = false;         ///< kThicken only: not to make once more what is there

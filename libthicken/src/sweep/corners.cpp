@@ -89,18 +89,27 @@ Fan fanOf(std::span<const Triangle> triangles, std::span<const TriangleId> aroun
   return fan;
 }
 
+// How far a copy is off a plane, in r.
+double offFrom(const OffsetPlane& plane, const Vec3& m) {
+  return std::abs(plane.normal.dot(m) - plane.way);
+}
+
 // Neighbours in a fan that one plane stands for.
 struct Plane {
   Vec3 normal = Vec3::Zero();
+  double way = 1;                    // OffsetPlane
   std::size_t first = 0, count = 0;  // of the fan's triangles, cyclic
 };
 
 // The planes of a fan, those merged that are nearly parallel, and the most parallel ones where there are too
 // many.
-std::vector<Plane> planesOf(const Fan& fan, std::span<const Vec3> faceNormal) {
+std::vector<Plane> planesOf(const Fan& fan, std::span<const OffsetPlane> plane) {
   constexpr double kParallel = 1e-4;  // 1 − cos: 0.8 degrees
   std::vector<Plane> planes;
-  for (std::size_t i = 0; i < fan.triangle.size(); ++i) planes.push_back({faceNormal[fan.triangle[i]], i, 1});
+  for (std::size_t i = 0; i < fan.triangle.size(); ++i) {
+    const OffsetPlane& own = plane[fan.triangle[i]];
+    planes.push_back({own.normal, own.way, i, 1});
+  }
   while (planes.size() > 3) {
     std::size_t best = 0;
     double most = -1;
@@ -114,19 +123,21 @@ std::vector<Plane> planesOf(const Fan& fan, std::span<const Vec3> faceNormal) {
     Plane& one = planes[best];
     const Plane& other = planes[next];
     one.normal = (double(one.count) * one.normal + double(other.count) * other.normal).stableNormalized();
+    one.way =
+        (double(one.count) * one.way + double(other.count) * other.way) / double(one.count + other.count);
     one.count += other.count;
     planes.erase(planes.begin() + static_cast<std::ptrdiff_t>(next));
   }
   return planes;
 }
 
-// m with n·m = 1 for three planes.
+// m in three planes.
 std::optional<Vec3> meetingPoint(const std::vector<Plane>& planes, const Triple& t) {
   Eigen::Matrix3d a;
   for (int k = 0; k < 3; ++k) a.row(k) = planes[t[k]].normal.transpose();
   constexpr double kFlat = 1e-6;
   if (std::abs(a.determinant()) < kFlat) return std::nullopt;
-  const Vec3 m = a.inverse() * Vec3::Ones();
+  const Vec3 m = a.inverse() * Vec3(planes[t[0]].way, planes[t[1]].way, planes[t[2]].way);
   if (!(m.norm() <= kMitreLimit)) return std::nullopt;
   return m;
 }
@@ -140,8 +151,8 @@ struct Corner {
 
 class CornerMaker {
  public:
-  CornerMaker(const Fan& fan, std::span<const Vec3> faceNormal, const Vec3& single)
-      : fan_(fan), normal_(faceNormal), single_(single), planes_(planesOf(fan, faceNormal)) {}
+  CornerMaker(const Fan& fan, std::span<const OffsetPlane> plane, const Vec3& single)
+      : fan_(fan), plane_(plane), single_(single), planes_(planesOf(fan, plane)) {}
 
   /// Triangulations whose points there are, those first whose points are nearest to the single copy.
   [[nodiscard]] std::vector<const Triangulation*> candidates() {
@@ -173,7 +184,7 @@ class CornerMaker {
     double most = 0;
     for (std::size_t i = 0; i < corner.chain.size(); ++i)
       for (const int c : corner.chain[i])
-        most = std::max(most, std::abs(normal_[fan_.triangle[i]].dot(corner.m[c]) - 1));
+        most = std::max(most, offFrom(plane_[fan_.triangle[i]], corner.m[c]));
     return most;
   }
 
@@ -258,7 +269,7 @@ class CornerMaker {
   }
 
   const Fan& fan_;
-  std::span<const Vec3> normal_;
+  std::span<const OffsetPlane> plane_;
   Vec3 single_;
   std::vector<Plane> planes_;
   static constexpr std::size_t kTriples = kMostPlanes * kMostPlanes * kMostPlanes;
@@ -311,19 +322,19 @@ std::vector<std::array<int, 3>> triangulated(const std::vector<Vec3>& p, const V
 // The shell of one side of S, of which corners are divided or cut.
 class CornerDivider {
  public:
-  CornerDivider(SweptMesh& mesh, std::span<const Vec3> faceNormal, const VertexTriangles& around,
-                std::size_t firstCopy, double sign)
-      : mesh_(mesh), normal_(faceNormal), around_(around), firstCopy_(firstCopy), sign_(sign) {
+  CornerDivider(SweptMesh& mesh, std::span<const Vec3> faceNormal, std::span<const OffsetPlane> plane,
+                const VertexTriangles& around, std::size_t firstCopy, double sign)
+      : mesh_(mesh), normal_(faceNormal), plane_(plane), around_(around), firstCopy_(firstCopy), sign_(sign) {
     listCopied();
   }
 
   void divide(VertexId v) {
     const std::optional<Fan> fan = copiedFan(v);
     if (!fan || !fan->isClosed()) return cut(v);
-    const Vec3 single = mesh_.copies[firstCopy_ + v].offset / (sign_ * mesh_.thickness);
-    CornerMaker maker(*fan, normal_, single);
+    const Vec3 single = mesh_.copies[firstCopy_ + v].offset / (sign_ * mesh_.thickness.at(v));
+    CornerMaker maker(*fan, plane_, single);
     double before = 0;
-    for (const TriangleId s : fan->triangle) before = std::max(before, std::abs(normal_[s].dot(single) - 1));
+    for (const TriangleId s : fan->triangle) before = std::max(before, offFrom(plane_[s], single));
     Surroundings surroundings(*this, v, *fan);
     const auto most = surroundings.meetings(chainsAt(v, *fan));
     if (!most) return;
@@ -515,7 +526,7 @@ class CornerDivider {
         safety[c] = std::min(safety[c], normal_[fan.triangle[i]].dot(corner.m[c]) / corner.m[c].norm());
     Chain id;
     for (std::size_t c = 0; c < corner.m.size(); ++c)
-      id.push_back(add(v, sign_ * mesh_.thickness * corner.m[c], safety[c]));
+      id.push_back(add(v, sign_ * mesh_.thickness.at(v) * corner.m[c], safety[c]));
     mesh_.copies[firstCopy_ + v] = mesh_.copies.back();
     takeBack(mesh_.copies.size() - 1);
     id.back() = static_cast<std::uint32_t>(firstCopy_ + v);
@@ -532,13 +543,14 @@ class CornerDivider {
     constexpr double kMostShare = 0.45;  // of an edge, which may be cut from its other end, too
     constexpr double kBeyond = 1.25;     // of what the copies of v are along
     const std::size_t n = fan.triangle.size();
-    const double r = mesh_.thickness;
+    const double r = mesh_.thickness.at(v);
     bool any = false;
     for (std::size_t i = fan.isClosed() ? 0 : 1; i < n; ++i) {
       const std::size_t before = (i + n - 1) % n;
       if (!isCopied(fan.triangle[before]) || !isCopied(fan.triangle[i])) continue;
-      const Vec3 &a = normal_[fan.triangle[before]], &b = normal_[fan.triangle[i]];
-      const Vec3 m = (a + b) / (1 + a.dot(b));
+      const OffsetPlane &one = plane_[fan.triangle[before]], &other = plane_[fan.triangle[i]];
+      const Vec3 &a = one.normal, &b = other.normal;
+      const Vec3 m = (one.way + other.way) / 2 * (a + b) / (1 + a.dot(b));
       const Vec3 edge = mesh_.positions[fan.ring[i]] - mesh_.positions[v];
       const double length = edge.norm();
       double at = away * r;
@@ -546,8 +558,9 @@ class CornerDivider {
         at = std::max(at, kBeyond * (placeOf(c) - mesh_.positions[v]).dot(edge) / length);
       if (!(m.norm() <= kMitreLimit) || at > kMostShare * length) continue;
       any = true;
-      const Vec3 offset = sign_ * r * m + (at / length) * edge;
-      const std::uint32_t id = add(v, offset, r / offset.norm());
+      const double there = r + at / length * (mesh_.thickness.at(fan.ring[i]) - r);
+      const Vec3 offset = sign_ * there * m + (at / length) * edge;
+      const std::uint32_t id = add(v, offset, there / offset.norm());
       chains[i].push_back(id);
       chains[before].insert(chains[before].begin(), id);
     }
@@ -665,6 +678,7 @@ class CornerDivider {
 
   SweptMesh& mesh_;
   std::span<const Vec3> normal_;
+  std::span<const OffsetPlane> plane_;
   const VertexTriangles& around_;
   std::size_t firstCopy_;
   double sign_;
@@ -690,17 +704,19 @@ constexpr double kLong = 2;
 
 struct Corners::Impl {
   SweptMesh& mesh;
-  std::span<const Vec3> normal;
+  std::span<const std::vector<OffsetPlane>> plane;
   const VertexTriangles& around;
   std::vector<CornerDivider> shells;
   std::vector<std::uint8_t> cut;       ///< per copy that is single: whether it was
   std::vector<std::uint32_t> changed;  ///< copies
 };
 
-Corners::Corners(SweptMesh& mesh, std::span<const Vec3> faceNormal, const VertexTriangles& around)
-    : impl_(std::make_unique<Impl>(Impl{mesh, faceNormal, around, {}, {}, {}})) {
+Corners::Corners(SweptMesh& mesh, std::span<const Vec3> faceNormal,
+                 std::span<const std::vector<OffsetPlane>> plane, const VertexTriangles& around)
+    : impl_(std::make_unique<Impl>(Impl{mesh, plane, around, {}, {}, {}})) {
   for (std::size_t shell = 0; shell < mesh.shells; ++shell)
-    impl_->shells.emplace_back(mesh, faceNormal, around, shell * mesh.surfaceVertices, shell == 0 ? -1 : 1);
+    impl_->shells.emplace_back(mesh, faceNormal, plane[shell], around, shell * mesh.surfaceVertices,
+                               shell == 0 ? -1 : 1);
   impl_->cut.assign(mesh.shells * mesh.surfaceVertices, 0);
 }
 
@@ -709,17 +725,17 @@ Corners::~Corners() = default;
 void Corners::divide(double tolerance, std::span<const std::uint8_t> single) {
   SweptMesh& mesh = impl_->mesh;
   for (std::size_t shell = 0; shell < mesh.shells; ++shell) {
-    const double way = (shell == 0 ? -1 : 1) * mesh.thickness;
     CornerDivider& divider = impl_->shells[shell];
     for (VertexId v = 0; v < mesh.surfaceVertices; ++v) {
       const Copy& c = mesh.copies[shell * mesh.surfaceVertices + v];
       if (single[v] || c.dropped || c.safety < kLeastSafety) continue;
-      const Vec3 m = c.offset / way;
+      const double r = mesh.thickness.at(v);
+      const Vec3 m = c.offset / ((shell == 0 ? -1 : 1) * r);
       const auto fan = impl_->around.of(v);
       if (std::none_of(fan.begin(), fan.end(),
-                       [&](TriangleId s) { return std::abs(impl_->normal[s].dot(m) - 1) > tolerance; }))
+                       [&](TriangleId s) { return offFrom(impl_->plane[shell][s], m) > tolerance; }))
         continue;
-      if (!hasLongEdge(mesh, fan, v, kLong * mesh.thickness)) continue;
+      if (!hasLongEdge(mesh, fan, v, kLong * r)) continue;
       divider.divide(v);
       impl_->cut[shell * mesh.surfaceVertices + v] = 1;
     }
@@ -757,7 +773,7 @@ void Corners::cutShort(std::span<const double> depth) {
       const std::size_t i = shell * mesh.surfaceVertices + v;
       if (mesh.copies[i].dropped || mesh.copies[i].depth >= kShort * depth[i] ||
           std::exchange(impl_->cut[i], std::uint8_t{1}) ||
-          !hasLongEdge(mesh, impl_->around.of(v), v, kLong * mesh.thickness))
+          !hasLongEdge(mesh, impl_->around.of(v), v, kLong * mesh.thickness.at(v)))
         continue;
       divider.cut(v);
     }
