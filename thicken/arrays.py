@@ -106,7 +106,7 @@ def forecast_mesh(
 def thicken_mesh(
     vertices: ArrayLike,
     triangles: ArrayLike,
-    thickness: float,
+    thickness: float | ArrayLike,
     *,
     side: Literal["negative", "positive", "both"] = "negative",
     method: Literal["auto", "sweep", "reconstruct"] = "auto",
@@ -129,6 +129,7 @@ def thicken_mesh(
 ) -> ThickenedMesh:
     """Return the solid of `thickness` on one side of the surface, every triangle of which it keeps.
 
+    `thickness` is a number of millimetres, or one for each vertex, linear over the triangles.
     Corners with equal coordinates become one vertex first, as by weld_mesh(). `precision` is that of the format the
     solid is meant for: with "single" (STL, FreeCAD) the surface is rounded to float before anything
     else, with "double" its coordinates stay; new vertices hold float values in either case.
@@ -150,10 +151,18 @@ def thicken_mesh(
             raise ValueError("memory must be a number of MiB above 0")
         context = context if context is not None else extension.RunContext()
         context.memory_limit = int(memory * _MIB)
+    factors: ArrayLike = ()
+    if np.ndim(thickness):
+        lengths = np.asarray(thickness, float)
+        if lengths.shape != (len(vertices),) or not (np.isfinite(lengths).all() and (lengths > 0).all()):
+            raise ValueError("thickness must be a length above 0 mm, or one for each vertex")
+        thickness = float(lengths.max())
+        factors = lengths / thickness
     solid = extension.thicken(
         vertices,
         triangles,
         thickness,
+        thickness_map=factors,
         side=side,
         method=method,
         precision=precision,

@@ -88,7 +88,10 @@ void findMeetings(benchmark::State& state, const SubjectPtr& subject) {
 }
 
 SweepResult swept(const Subject& subject, const ClosestPointTree& tree) {
-  return sweep(subject.surface, tree, subject.thickness, Side::kNegative, {}, kAllThreads);
+  const Options options;
+  const RunContext context;
+  Stopwatch watch;
+  return sweep({subject.surface, tree, Thickness(subject.thickness), options, context, kAllThreads, watch});
 }
 
 void sweepSurface(benchmark::State& state, const SubjectPtr& subject) {

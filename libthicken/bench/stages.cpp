@@ -15,7 +15,6 @@
 #include <fstream>
 #include <iostream>
 
-#include "measure/stopwatch.h"
 #include "mesh/float_lattice.h"
 #include "reconstruct/assembly.h"
 #include "reconstruct/contourer.h"
@@ -60,18 +59,19 @@ void run(const std::string& input, double thickness, double cell, const std::fil
   const ClosestPointTree tree(surface);
   const RunContext context;
   constexpr int kAllThreads = 0, kRounds = 15;
-  const SweepResult swept =
-      sweep(surface, tree, thickness, Side::kNegative, context, kAllThreads, Polish::kNo);
+  const Options options;
+  Stopwatch watch;
+  const Job job{surface, tree, Thickness(thickness), options, context, kAllThreads, watch};
+  const SweepResult swept = sweep(job, Polish::kNo);
   std::vector<std::uint8_t> keep;
   for (const Region region : swept.region) keep.push_back(region != Region::kShell);
-  DeepWalls walls(surface, tree, swept, thickness, context, kAllThreads);
+  DeepWalls walls(job, swept);
   walls.fit(keep);
-  const Carrier carrier =
-      makeCarrier(swept, walls.positions(), walls.up(), surface.triangles.size(), keep, cell, kAllThreads);
-  const Membership membership(carrier.mesh, tree, surface.triangles.size(), thickness);
-  Contourer contourer(surface, thickness, cell, {}, context, kAllThreads);
-  Stopwatch watch;
-  Contour contour = contourer.contour(carrier, membership, {}, watch);
+  const Carrier carrier = makeCarrier(swept, walls.positions(), walls.up(), surface.triangles.size(), keep,
+                                      cell, nullptr, kAllThreads);
+  const Membership membership(carrier.mesh, tree, surface.triangles.size(), job.thickness);
+  Contourer contourer(job, cell, {}, nullptr);
+  Contour contour = contourer.contour(carrier, membership, {});
   const Assembly assembly = assemble(carrier, contour.dual, contour.crossings, contour.ways, kAllThreads);
   const std::vector<Vec3> shaped = shapedPositions(assembly, contour.dual, contour.crossings, membership,
                                                    cell, kRounds, context, kAllThreads);

@@ -57,11 +57,13 @@ py::dict thickenArrays(const py::object& vertices, const py::object& triangles, 
                        std::optional<double> tolerance, std::optional<int> smooth, bool repair,
                        std::optional<double> weldDistance, std::optional<double> bridge,
                        std::optional<double> fillHoles, bool strict, const std::optional<std::string>& join,
-                       const std::string& simplify, double gap, int threads, const std::optional<RunContext>& context) {
+                       const std::string& simplify, double gap, int threads,
+                       const std::optional<RunContext>& context, const std::vector<double>& thicknessMap) {
   if (!std::isfinite(thickness) || thickness <= 0)
     throw py::value_error("thickness must be a finite length above 0 mm");
   Options options;
   options.thickness = thickness;
+  options.thicknessMap = thicknessMap;
   options.side = chosen(kSides, "side", side);
   options.method = chosen(kMethods, "method", method);
   options.precision = chosen(kPrecisions, "precision", precision);
@@ -130,14 +132,15 @@ py::tuple weldArrays(const py::object& vertices, const py::object& triangles) {
 
 void bindThicken(py::module_& module) {
   using py::arg;
-  module.def("thicken", &thickenArrays, arg("vertices"), arg("triangles"), arg("thickness"), py::kw_only(),
-             arg("side") = "negative", arg("method") = "auto", arg("precision") = "single",
-             arg("cell") = py::none(), arg("resolution") = py::none(), arg("tolerance") = py::none(),
-             arg("smooth") = py::none(), arg("repair") = false, arg("weld") = py::none(),
-             arg("bridge") = py::none(), arg("fill_holes") = py::none(), arg("strict") = false,
-             arg("join") = py::none(), arg("simplify") = "auto", arg("gap") = 0.0,
-             arg("threads") = 0, arg("context") = py::none(),
-             "Thicken a surface; returns a dict of vertices, triangles, region, depth, gap_surface and report.");
+  module.def(
+      "thicken", &thickenArrays, arg("vertices"), arg("triangles"), arg("thickness"), py::kw_only(),
+      arg("side") = "negative", arg("method") = "auto", arg("precision") = "single", arg("cell") = py::none(),
+      arg("resolution") = py::none(), arg("tolerance") = py::none(), arg("smooth") = py::none(),
+      arg("repair") = false, arg("weld") = py::none(), arg("bridge") = py::none(),
+      arg("fill_holes") = py::none(), arg("strict") = false, arg("join") = py::none(),
+      arg("simplify") = "auto", arg("gap") = 0.0, arg("threads") = 0, arg("context") = py::none(),
+      arg("thickness_map") = std::vector<double>(),
+      "Thicken a surface; returns a dict of vertices, triangles, region, depth, gap_surface and report.");
   module.def("forecast", &forecastOf, arg("triangles"), arg("area"), arg("thickness"), py::kw_only(),
              arg("diagonal") = 0.0, arg("side") = "negative", arg("method") = "auto",
              arg("cell") = py::none(), arg("resolution") = py::none(), arg("tolerance") = py::none(),

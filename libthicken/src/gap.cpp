@@ -59,8 +59,8 @@ TriangleMesh surfaceOf(const Solid& solid, Region region, bool turned) {
   return surface;
 }
 
-// Parts of a shell may touch in points, and shreds lie between walls: a surface has neither. Parts of less than
-// the square of the gap go, but for the largest.
+// Parts of a shell may touch in points, and shreds lie between walls: a surface has neither. Parts of less
+// than the square of the gap go, but for the largest.
 TriangleMesh withoutShreds(TriangleMesh shell, double gap, double& leftOut) {
   const VertexTriangles around = vertexTriangles(shell.positions.size(), shell.triangles);
   repairing::Workpiece piece(std::move(shell));
@@ -78,8 +78,7 @@ TriangleMesh withoutShreds(TriangleMesh shell, double gap, double& leftOut) {
   const Components parts = componentsOf(piece.mesh.positions.size(), left);
   std::vector<double> size(parts.count, 0);
   for (std::size_t t = 0; t < left.size(); ++t) size[parts.ofTriangle[t]] += area[t];
-  const double least =
-      size.empty() ? 0 : std::min(gap * gap, *std::max_element(size.begin(), size.end()));
+  const double least = size.empty() ? 0 : std::min(gap * gap, *std::max_element(size.begin(), size.end()));
   TriangleMesh surface{std::move(piece.mesh.positions), {}};
   for (std::size_t t = 0; t < left.size(); ++t)
     if (size[parts.ofTriangle[t]] >= least)
@@ -107,10 +106,11 @@ void warnOfGap(Report& report) {
   if (gap.least >= kTooSmall * gap.asked && gap.shortShare < kMuch) return;
   report.warnings.insert(
       report.warnings.begin(),
-      fmt::format("the gap of {:.4g} mm is not kept everywhere: the solid comes within {:.4g} mm of the surface at "
-                  "{}, and {} of the surface has no room for 0.9 of the gap",
-                  gap.asked, gap.least, text(gap.leastPlace),
-                  gap.shortShare > 0 ? percentText(gap.shortShare) : "nothing"));
+      fmt::format(
+          "the gap of {:.4g} mm is not kept everywhere: the solid comes within {:.4g} mm of the surface at "
+          "{}, and {} of the surface has no room for 0.9 of the gap",
+          gap.asked, gap.least, text(gap.leastPlace),
+          gap.shortShare > 0 ? percentText(gap.shortShare) : "nothing"));
 }
 
 // What the report of the solid says of the run as a whole.
@@ -163,8 +163,7 @@ Solid thickenAtGap(const TriangleMesh& surface, const Options& options, RunConte
   gap.error = first.report.shellError;
   gap.shortShare = first.report.thinShare;
   const bool turned = options.side == Side::kNegative;
-  TriangleMesh gapSurface =
-      withoutShreds(surfaceOf(first, Region::kShell, turned), options.gap, gap.leftOut);
+  TriangleMesh gapSurface = withoutShreds(surfaceOf(first, Region::kShell, turned), options.gap, gap.leftOut);
   if (gapSurface.triangles.empty())
     throw Error(ErrorCode::kNoSolid,
                 fmt::format("no part of the surface has room for a gap of {:.4g} mm; ask for a smaller one",

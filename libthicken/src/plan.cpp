@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "thicken/error.h"
 
@@ -22,6 +23,25 @@ void requirePositive(double x, const char* what) {
     refuse(fmt::format("the {} must be a positive number of millimetres, not {}", what, x));
 }
 
+// The least and the most of the thickness, mm.
+std::pair<double, double> thicknessRange(const Options& options) {
+  double least = 1, most = 1;
+  if (!options.thicknessMap.empty()) {
+    const auto [low, high] = std::minmax_element(options.thicknessMap.begin(), options.thicknessMap.end());
+    least = *low;
+    most = *high;
+  }
+  return {options.thickness * least, options.thickness * most};
+}
+
+void requireThickness(const Options& options) {
+  requirePositive(options.thickness, "thickness");
+  for (std::size_t v = 0; v < options.thicknessMap.size(); ++v)
+    if (const double factor = options.thicknessMap[v]; !std::isfinite(factor) || factor <= 0)
+      refuse(fmt::format("the factors of the thickness must be positive numbers, and that of vertex {} is {}",
+                         v, factor));
+}
+
 double largestCoordinate(const TriangleMesh& surface) {
   double most = 0;
   for (const Vec3& p : surface.positions) most = std::max(most, p.cwiseAbs().maxCoeff());
@@ -31,7 +51,7 @@ double largestCoordinate(const TriangleMesh& surface) {
 }  // namespace
 
 void requireValid(const Options& options) {
-  requirePositive(options.thickness, "thickness");
+  requireThickness(options);
   if (!std::isfinite(options.gap) || options.gap < 0)
     refuse(fmt::format("the gap must be 0 or a positive number of millimetres, not {}", options.gap));
   if (options.gap > 0 && options.side == Side::kBoth)
@@ -39,11 +59,12 @@ void requireValid(const Options& options) {
   const int given = options.cell.has_value() + options.resolution.has_value() + options.tolerance.has_value();
   if (given > 1) refuse("give only one of cell, resolution and tolerance");
   if (options.cell) requirePositive(*options.cell, "cell width");
-  if (options.cell && *options.cell >= options.thickness / 2)
+  const double thinnest = thicknessRange(options).first;
+  if (options.cell && *options.cell >= thinnest / 2)
     refuse(fmt::format(
         "the cell width must be less than half the thickness, {:.6g} mm, so that the surface and the shell "
         "do not share a cell (Remark 1 of the paper), not {:.6g} mm",
-        options.thickness / 2, *options.cell));
+        thinnest / 2, *options.cell));
   if (options.resolution && (*options.resolution < 4 || *options.resolution > 65536))
     refuse(fmt::format("the resolution must be from 4 to 65536 cells, not {}", *options.resolution));
   if (options.tolerance) requirePositive(*options.tolerance, "tolerance");
@@ -78,23 +99,24 @@ void requireRoom(const TriangleMesh& surface, const Options& options) {
   // A mitre may reach farther than r.
   constexpr double kReach = 2;
   const double most = largestCoordinate(surface);
-  if (!(most + kReach * options.thickness < kFloatMax))
+  const auto [thinnest, thickest] = thicknessRange(options);
+  if (!(most + kReach * thickest < kFloatMax))
     throw Error(
         ErrorCode::kNotFinite,
         fmt::format(
             "coordinates as large as {:.6g} leave no room for a thickness of {:.6g} mm in single precision; "
             "scale the surface down or remove the vertices that lie far away",
-            most, options.thickness));
+            most, thickest));
   constexpr double kLeastSteps = 8;
   // Near the origin, too, floats have a least step.
   const double step = std::max<double>(std::ldexp(most, -23), std::numeric_limits<float>::denorm_min());
-  if (options.thickness < kLeastSteps * step)
+  if (thinnest < kLeastSteps * step)
     throw Error(
         ErrorCode::kNoSolid,
         fmt::format("at coordinates as large as {:.6g} mm single precision holds steps of {:.3g} mm, too "
                     "coarse for a "
                     "thickness of {:.6g} mm; move the surface to the origin or ask for a larger thickness",
-                    most, step, options.thickness));
+                    most, step, thinnest));
 }
 
 double predictedCrossings(const SurfaceFacts& surface, const Options& options) {

@@ -31,7 +31,13 @@ Json surfaceFacts(const SurfaceFacts& facts) {
 
 Json parameters(const Report& report) {
   Json json{{"thickness_mm", report.thickness}, {"side", name(report.side)}, {"method", name(report.asked)},
-            {"join", name(report.join)},        {"cell_mm", nullptr},        {"threads", report.threads}};
+            {"join", name(report.join)},        {"cell_mm", nullptr},        {"threads", report.threads},
+            {"thickness_map", nullptr}};
+  if (report.thicknessMap)
+    json["thickness_map"] = {{"least_mm", report.thicknessMap->least},
+                             {"most_mm", report.thicknessMap->most},
+                             {"steepest", report.thicknessMap->steepest},
+                             {"lowered_vertices", report.thicknessMap->lowered}};
   if (report.cell > 0) json["cell_mm"] = report.cell;
   return json;
 }
@@ -101,10 +107,8 @@ Json errorFacts(const ErrorFacts& facts) {
   return {{"mean", facts.mean}, {"p99", facts.p99}, {"max", facts.max}};
 }
 
-Json thinPlace(double mm, const Vec3& place, double thickness) {
-  return {{"mm", mm},
-          {"share_of_thickness", thickness > 0 ? Json(mm / thickness) : Json()},
-          {"place_mm", toPlace(place)}};
+Json thinPlace(double mm, const Vec3& place, double share) {
+  return {{"mm", mm}, {"share_of_thickness", share}, {"place_mm", toPlace(place)}};
 }
 
 Json simplifyFacts(const SimplifyFacts& facts) {
@@ -221,8 +225,9 @@ Json reportOf(const Report& report, const FileFacts& files) {
   json["shell_error"] = errorFacts(report.shellError);
   json["shell_error_full_depth"] = errorFacts(report.shellErrorFullDepth);
   if (report.shellErrorBound) json["shell_error_bound_mm"] = *report.shellErrorBound;
-  json["thinnest_wall"] = thinPlace(report.thinnestWall, report.thinnestPlace, report.thickness);
-  json["thinnest_through"] = thinPlace(report.thinnestThrough, report.thinnestThroughPlace, report.thickness);
+  json["thinnest_wall"] = thinPlace(report.thinnestWall, report.thinnestPlace, report.thinnestShare);
+  json["thinnest_through"] =
+      thinPlace(report.thinnestThrough, report.thinnestThroughPlace, report.thinnestThroughShare);
   json["thin_share"] = report.thinShare;
   json["simplify"] = simplifyFacts(report.simplify);
   json["audit"] = verdicts(report.audit);

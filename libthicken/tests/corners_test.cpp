@@ -8,6 +8,7 @@
 #include <cmath>
 #include <random>
 
+#include "jobs.h"
 #include "measure/offset_error.h"
 #include "mesh/normals.h"
 #include "mesh/topology.h"
@@ -28,11 +29,12 @@ TriangleMesh rugged(VertexId columns, VertexId rows, unsigned seed) {
 
 // The share of the shell's area, by samples, that is off by more than `most` · r.
 double shareOff(const TriangleMesh& surface, double r, double most) {
-  const ClosestPointTree tree(surface);
-  const SweepResult swept = sweep(surface, tree, r, Side::kNegative, RunContext(), 1);
+  const OwnJob own(surface, r);
+  const ClosestPointTree& tree = own.tree;
+  const SweepResult swept = sweep(own.job);
   const auto normal = faceNormals(surface.positions, surface.triangles, 1);
   const auto around = vertexTriangles(surface.positions.size(), surface.triangles);
-  const OffsetError error(surface, normal, around, r, Join::kMitre);
+  const OffsetError error(own.job, normal, around, Join::kMitre);
   double off = 0, all = 0;
   for (std::size_t t = 0; t < swept.region.size(); ++t) {
     if (swept.region[t] != Region::kShell) continue;
@@ -81,9 +83,9 @@ TEST(OffsetError, CountsMitresUpToTheirLimit) {
   edge.triangles = {{0, 2, 1}, {0, 1, 3}};
   const auto normal = faceNormals(edge.positions, edge.triangles, 1);
   const auto around = vertexTriangles(edge.positions.size(), edge.triangles);
-  const ClosestPointTree tree(edge);
+  const OwnJob own(edge, 1);
   const auto at = [&](Join join, const Vec3& p) {
-    return OffsetError(edge, normal, around, 1, join).at(p, *tree.closest(p)).mm;
+    return OffsetError(own.job, normal, around, join).at(p, *own.tree.closest(p)).mm;
   };
   const Vec3 tip(-1, 2, -1), below(1.5, 2, -1), inside(-0.5, 2, -0.5), outside(-1.5, 2, -1);
   EXPECT_NEAR(at(Join::kMitre, tip), 0, 1e-12);

@@ -9,6 +9,7 @@
 
 #include "analytic_surfaces.h"
 #include "bvh/triangle_gap.h"
+#include "jobs.h"
 #include "plain_shapes.h"
 #include "thicken/error.h"
 #include "thicken/thicken.h"
@@ -20,7 +21,9 @@ using namespace shapes;  // NOLINT: the surfaces of the tests
 
 ErrorBound boundOf(const TriangleMesh& surface, const TriangleMesh& solid, std::span<const Region> region,
                    double r, double tolerance, Side side = Side::kNegative, int threads = 1) {
-  return boundShellError(solid, region, ClosestPointTree(surface), r, side, tolerance, RunContext(), threads);
+  OwnJob own(surface, r, side);
+  own.job.threads = threads;
+  return boundShellError(own.job, solid, region, tolerance);
 }
 
 // The regions of a slab() of a sheet.

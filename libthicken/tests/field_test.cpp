@@ -7,6 +7,7 @@
 #include "contour/rim_walk.h"
 #include "field/node_field.h"
 #include "field/surface_crossings.h"
+#include "jobs.h"
 #include "mesh/topology.h"
 #include "plain_shapes.h"
 
@@ -95,7 +96,7 @@ TEST(NodeField, HasTheLabelsOfDefinition2) {
   const TriangleMesh sheet = shapes::sheet(10, 8);
   const double r = 1.1;
   const ClosestPointTree tree(sheet);
-  const Membership membership(sheet, tree, sheet.triangles.size(), r);
+  const Membership membership(sheet, tree, sheet.triangles.size(), thick(r));
   const UniformGrid grid = gridAround(sheet, r + 0.5, 0.3);
   NodeField field(grid);
   for (const GridIndex& n : allNodes(grid)) (void)field.want(UniformGrid::key(n));
@@ -122,7 +123,7 @@ TEST(Membership, AnswersAsOneTreeOfTheCarrier) {
     carrier.triangles.push_back({e.to, e.from, low});
   }
   const ClosestPointTree tree(sheet), whole(carrier);
-  const Membership membership(carrier, tree, sheet.triangles.size(), r);
+  const Membership membership(carrier, tree, sheet.triangles.size(), thick(r));
   const UniformGrid grid = gridAround(sheet, r + 0.5, 0.3);
   std::size_t onWall = 0;
   for (const GridIndex& n : allNodes(grid)) {
@@ -155,7 +156,9 @@ TEST(Membership, SeesAnotherSheetsMaterialBeforeAPieceOfShell) {
     const auto standingWith = [&](Region region) {
       std::vector<Region> regions(carrier.triangles.size(), Region::kOriginal);
       regions.back() = region;
-      return Membership(carrier, tree, sheets.triangles.size(), r, regions).probe({5, 4, -r - 0.05}).standing;
+      return Membership(carrier, tree, sheets.triangles.size(), thick(r), regions)
+          .probe({5, 4, -r - 0.05})
+          .standing;
     };
     EXPECT_EQ(standingWith(Region::kWall), Standing::kRim);
     EXPECT_EQ(standingWith(Region::kShell), gap < 2 * r ? Standing::kInside : Standing::kFar) << gap;
@@ -176,7 +179,7 @@ TEST(Membership, EndsMaterialAtAPieceOfItsOwnShellHoweverDeep) {
     std::vector<Region> regions(carrier.triangles.size(), Region::kOriginal);
     regions.back() = Region::kShell;
     const auto standing = [&](double z, std::span<const std::uint8_t> covered) {
-      return Membership(carrier, tree, sheet.triangles.size(), r, regions, covered)
+      return Membership(carrier, tree, sheet.triangles.size(), thick(r), regions, covered)
           .probe({5.1, 4.2, z})
           .standing;
     };
@@ -198,8 +201,8 @@ TEST(NodeField, ForgetsWhatATriangleMayHaveChanged) {
   more.positions.insert(more.positions.end(), {{1, 1, -0.6}, {3, 1, -0.6}, {1, 3, -0.6}});
   more.triangles.push_back({first, first + 1, first + 2});
   const ClosestPointTree tree(sheet);
-  const Membership before(sheet, tree, sheet.triangles.size(), r);
-  const Membership after(more, tree, sheet.triangles.size(), r);
+  const Membership before(sheet, tree, sheet.triangles.size(), thick(r));
+  const Membership after(more, tree, sheet.triangles.size(), thick(r));
   const UniformGrid grid = gridAround(sheet, r + 0.5, 0.3);
   NodeField field(grid);
   for (const GridIndex& n : allNodes(grid)) (void)field.want(UniformGrid::key(n));
@@ -228,7 +231,7 @@ TEST(NodeField, ForgetsWhatIsNextToAMarkedTriangle) {
   const UniformGrid grid = gridAround(sheet, 1.5, 0.3);
   NodeField field(grid);
   for (const GridIndex& n : allNodes(grid)) (void)field.want(UniformGrid::key(n));
-  field.evaluate(Membership(sheet, tree, sheet.triangles.size(), 1), {}, 2);
+  field.evaluate(Membership(sheet, tree, sheet.triangles.size(), thick(1)), {}, 2);
   std::vector<std::uint8_t> marked(sheet.triangles.size(), 0);
   marked[7] = 1;
   field.forget(farAway, marked, {}, 2);
@@ -256,7 +259,7 @@ class FollowContour : public ::testing::Test {
   const TriangleMesh sheet_ = shapes::sheet(10, 8);
   const double r_ = 1.1;
   const ClosestPointTree tree_{sheet_};
-  const Membership membership_{sheet_, tree_, sheet_.triangles.size(), r_};
+  const Membership membership_{sheet_, tree_, sheet_.triangles.size(), thick(r_)};
   const UniformGrid grid_ = gridAround(sheet_, r_ + 0.5, 0.3);
   const SurfaceCrossings surface_{grid_, sheet_.positions, sheet_.triangles, 2};
   const SurfaceCrossings nothing_{grid_, sheet_.positions, {}, 1};

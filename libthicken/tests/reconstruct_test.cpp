@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "analytic_surfaces.h"
+#include "jobs.h"
 #include "plain_shapes.h"
 #include "reconstruct/cells.h"
 #include "reconstruct/cut_around.h"
@@ -321,12 +322,13 @@ TEST(CutAround, TakesRingsOfWhatIsOpenable) {
 // A swept strip, long along x, with a hole in its shell near either end.
 struct TwoHoles {
   static constexpr double kThickness = 0.2, kWidth = 0.05;
-  TriangleMesh surface = shapes::parametric(60, 6, [](double u, double v) { return Vec3(20 * u, 2 * v, 0); });
+  OwnJob own{shapes::parametric(60, 6, [](double u, double v) { return Vec3(20 * u, 2 * v, 0); }),
+             kThickness};
+  const TriangleMesh& surface = own.surface;
   Holes holes;
 
   TwoHoles() {
-    const ClosestPointTree tree(surface);
-    holes.carried = sweep(surface, tree, kThickness, Side::kNegative, RunContext(), 1);
+    holes.carried = sweep(own.job);
     SweepResult& swept = holes.carried;
     swept.up.resize(swept.mesh.positions.size(), Vec3::Zero());
     holes.left.assign(swept.region.size(), 0);
@@ -356,7 +358,7 @@ struct TwoHoles {
 
 TEST(Windows, ShowWhatIsNearOneHole) {
   const TwoHoles of;
-  const auto windows = windowsOf(of.surface, of.holes, of.kThickness, of.kWidth, 1);
+  const auto windows = windowsOf(of.own.job, of.holes, of.kWidth);
   ASSERT_EQ(windows.size(), 2u);
   EXPECT_FALSE(windows[0].zone.overlaps(windows[1].zone));
   const TriangleMesh& boundary = of.holes.carried.mesh;
@@ -391,8 +393,8 @@ TEST(Windows, DependOnWhatIsInReachAlone) {
   for (std::size_t t = 0; t < near.holes.keep.size(); ++t)
     if (near.holes.carried.mesh.positions[near.holes.carried.mesh.triangles[t][0]].x() > 10)
       near.holes.keep[t] = 1;
-  const auto one = windowsOf(near.surface, near.holes, near.kThickness, near.kWidth, 1);
-  const auto both = windowsOf(far.surface, far.holes, far.kThickness, far.kWidth, 1);
+  const auto one = windowsOf(near.own.job, near.holes, near.kWidth);
+  const auto both = windowsOf(far.own.job, far.holes, far.kWidth);
   ASSERT_EQ(one.size(), 1u);
   ASSERT_EQ(both.size(), 2u);
   EXPECT_EQ(one[0].surface.positions, both[0].surface.positions);
@@ -403,7 +405,7 @@ TEST(Windows, DependOnWhatIsInReachAlone) {
 
 TEST(Windows, ArePutTogetherToTheWhole) {
   const TwoHoles of;
-  const auto windows = windowsOf(of.surface, of.holes, of.kThickness, of.kWidth, 1);
+  const auto windows = windowsOf(of.own.job, of.holes, of.kWidth);
   ASSERT_EQ(windows.size(), 2u);
   const TriangleMesh& boundary = of.holes.carried.mesh;
   std::vector<std::optional<Reconstruction>> made{TwoHoles::unchanged(windows[0]), std::nullopt};
@@ -502,7 +504,7 @@ TEST(CellWidth, FollowsTheResolution) {
   Options o;
   o.thickness = 1;
   o.resolution = 60;
-  EXPECT_DOUBLE_EQ(cellWidth(flat(10, 6), 60, o), 12.0 / 60);
+  EXPECT_DOUBLE_EQ(cellWidth(OwnJob(flat(10, 6), o).job, 60), 12.0 / 60);
 }
 
 }  // namespace

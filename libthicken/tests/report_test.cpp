@@ -25,6 +25,7 @@ Report sampleReport() {
   report.repair->surface.triangles = 10;
   report.repair->added = {6, 1.5, 1, 2, 1, {Vec3(4, 5, 6)}};
   report.thickness = 2;
+  report.thicknessMap = {1, 4, 0.5, 7};
   report.side = Side::kBoth;
   report.asked = Method::kAuto;
   report.method = Method::kSweep;
@@ -32,6 +33,7 @@ Report sampleReport() {
   report.parts = 3;
   report.surfaceDeviation = 0.25;
   report.thinnestThrough = 0.5;
+  report.thinnestThroughShare = 0.25;
   report.threads = 3;
   report.fieldCells = 70;
   report.fieldNodes = 90;
@@ -49,6 +51,7 @@ Report sampleReport() {
   report.shellErrorFullDepth = {0.001, 0.002, 0.004};
   report.shellErrorBound = 0.005;
   report.thinnestWall = 1.5;
+  report.thinnestShare = 0.75;
   report.thinnestPlace = Vec3(1, 2, 3);
   report.thinShare = 0.125;
   report.simplify = {100, 30, 0.002, 12};
@@ -125,6 +128,8 @@ TEST(Report, HoldsTheFactsUnderTheirNames) {
   EXPECT_EQ(report["thinnest_wall"]["share_of_thickness"], 0.75);
   EXPECT_EQ(report["thinnest_wall"]["place_mm"], json({1, 2, 3}));
   EXPECT_EQ(report["thinnest_through"]["share_of_thickness"], 0.25);
+  EXPECT_EQ(report["parameters"]["thickness_map"],
+            json({{"least_mm", 1.0}, {"most_mm", 4.0}, {"steepest", 0.5}, {"lowered_vertices", 7}}));
   EXPECT_EQ(report["thin_share"], 0.125);
   EXPECT_EQ(report["simplify"]["triangles_before"], 100);
   EXPECT_EQ(report["simplify"]["triangles_after"], 30);
@@ -170,7 +175,7 @@ TEST(Report, AddsUpTheTimesOfAStage) {
 TEST(Report, WritesNullForWhatIsNotFinite) {
   Report report = sampleReport();
   report.volume = std::numeric_limits<double>::quiet_NaN();
-  report.thickness = 0;
+  report.thinnestShare = std::numeric_limits<double>::quiet_NaN();
   const json parsed = json::parse(toJson(report));
   EXPECT_TRUE(parsed["output"]["volume_mm3"].is_null());
   EXPECT_TRUE(parsed["thinnest_wall"]["share_of_thickness"].is_null());

@@ -9,6 +9,7 @@
 
 #include "analytic_surfaces.h"
 #include "check/audit.h"
+#include "jobs.h"
 #include "mesh/float_lattice.h"
 #include "mesh/linked_mesh.h"
 #include "plain_shapes.h"
@@ -143,9 +144,8 @@ TEST(Simplify, LeavesWhatIsNotClosed) {
   const TriangleMesh before = solid;
   std::vector<Region> region(solid.triangles.size(), Region::kShell);
   std::fill_n(region.begin(), s.triangles.size(), Region::kOriginal);
-  const ClosestPointTree tree(s);
-  SimplifyRequest request{s, tree, 1, Side::kNegative, Join::kMitre, {}, Simplify::kShell};
-  const SimplifyFacts facts = simplify(solid, region, request, RunContext(), 1);
+  const OwnJob own(s, 1);
+  const SimplifyFacts facts = simplify(own.job, solid, region, Simplify::kShell);
   EXPECT_EQ(solid.triangles, before.triangles);
   EXPECT_EQ(facts.before, facts.after);
 }
@@ -164,9 +164,8 @@ TEST(Simplify, TurnsNoSmallCavityInsideOut) {
   }
   std::vector<Region> region(solid.triangles.size(), Region::kShell);
   std::fill_n(region.begin(), s.triangles.size(), Region::kOriginal);
-  const ClosestPointTree tree(s);
-  SimplifyRequest request{s, tree, 1, Side::kNegative, Join::kMitre, {}, Simplify::kShell};
-  (void)simplify(solid, region, request, RunContext(), 1);
+  const OwnJob own(s, 1);
+  (void)simplify(own.job, solid, region, Simplify::kShell);
   double volume = 0;
   for (const auto& [a, b, c] : solid.triangles) {
     const Vec3 from(5, 5, -0.5);
@@ -182,11 +181,9 @@ TEST(Simplify, CountsTheEdgesThatItTries) {
   const TriangleMesh s = rounded(plane(40, 10));
   Solid solid = thicken(s, options(1, Simplify::kOff));
   const std::size_t blocks = solid.mesh.triangles.size() / 256;
-  const ClosestPointTree tree(s, 1);
-  const RunContext context;
-  (void)simplify(solid.mesh, solid.region, {s, tree, 1, Side::kNegative, Join::kMitre, {}, Simplify::kShell},
-                 context, 1);
-  EXPECT_GT(context.counted(), 3 * blocks) << "two are the search for targets";
+  const OwnJob own(s, 1);
+  (void)simplify(own.job, solid.mesh, solid.region, Simplify::kShell);
+  EXPECT_GT(own.context.counted(), 3 * blocks) << "two are the search for targets";
 }
 
 TEST(Simplify, CanBeCancelled) {
@@ -194,10 +191,9 @@ TEST(Simplify, CanBeCancelled) {
   TriangleMesh solid = slab(s, 1);
   std::vector<Region> region(solid.triangles.size(), Region::kShell);
   const ClosestPointTree tree(s);
-  RunContext context;
-  context.cancel();
   SimplifyRequest request{s, tree, 1, Side::kNegative, Join::kMitre, {}, Simplify::kShell};
-  EXPECT_THROW((void)simplify(solid, region, request, context, 1), Error);
+  own.context.cancel();
+  EXPECT_THROW((void)simplify(own.job, solid, region, Simplify::kShell), Error);
 }
 
 TEST(LinkedMesh, CollapsesAnEdgeAndStaysClosed) {

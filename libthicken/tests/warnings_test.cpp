@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "analytic_surfaces.h"
+#include "jobs.h"
 #include "measure/measure.h"
 #include "plain_shapes.h"
 #include "thicken/thicken.h"
@@ -38,7 +39,7 @@ TriangleMesh bump() {
 
 TEST(Warnings, TellOfABrokenRule) {
   Report report;
-  report.thickness = report.thinnestWall = 1;
+  report.thickness = report.thinnestWall = report.thinnestShare = 1;
   addWarnings(report);
   EXPECT_TRUE(report.warnings.empty());
   report.fallbacks = {{"contour", "no", Vec3::Zero(), 1},
@@ -79,7 +80,7 @@ TEST(Warnings, GiveNoShareOfNothing) {
   Report report;
   report.thickness = 1;
   report.shellTriangles = 1;
-  report.thinnestWall = 0.5;
+  report.thinnestWall = report.thinnestShare = 0.5;
   addWarnings(report);
   ASSERT_EQ(report.warnings.size(), 1u);
   EXPECT_FALSE(warnsOf(report, "0 %")) << report.warnings[0];
@@ -184,7 +185,6 @@ TEST(Thinness, OfAPlateIsTheThicknessBothWays) {
 // The deviation is looked for in the solid, whatever the stages before have promised.
 TEST(Deviation, IsMeasured) {
   const TriangleMesh sheet = shapes::flatSheet(10, 10, 0);
-  const ClosestPointTree tree(sheet, 1);
   for (const Side side : {Side::kNegative, Side::kBoth}) {
     Options options;
     options.thickness = 1;
@@ -194,7 +194,7 @@ TEST(Deviation, IsMeasured) {
     const Vec3 corner(10, 10, 0);
     for (Vec3& p : solid.mesh.positions)
       if (p == corner) p += Vec3(0.25, 0, 0);
-    measure(solid, sheet, tree, {}, Measure::kRepresentative, {}, 1);
+    measure(solid, OwnJob(sheet, options).job, {}, Measure::kRepresentative);
     EXPECT_DOUBLE_EQ(solid.report.surfaceDeviation, 0.25) << name(side);
   }
 }

@@ -36,6 +36,20 @@ class Result(unittest.TestCase):
                 self.assertTrue(keeps(corners, vertices[triangles], reversed_sense=side == "positive"))
                 self.assertAlmostEqual(volume(corners), solid.report["output"]["volume_mm3"], places=6)
 
+    def test_thickness_may_vary(self):
+        vertices, triangles = plate()
+        plain = thicken_mesh(vertices, triangles, 1.5)
+        same = thicken_mesh(vertices, triangles, np.full(len(vertices), 1.5))
+        self.assertTrue(np.array_equal(plain.vertices, same.vertices))
+        self.assertTrue(np.array_equal(plain.triangles, same.triangles))
+        along = vertices[:, 0]
+        solid = thicken_mesh(vertices, triangles, 1 + (along - along.min()) / (2 * np.ptp(along)))
+        self.assertTrue(is_closed_and_oriented(solid.vertices[solid.triangles]))
+        told = solid.report["parameters"]["thickness_map"]
+        self.assertAlmostEqual(told["least_mm"], 1)
+        self.assertAlmostEqual(told["most_mm"], 1.5)
+        self.assertLess(volume(solid.vertices[solid.triangles]), volume(plain.vertices[plain.triangles]))
+
     def test_is_forecast(self):
         surface = saddle()
         for side in ("negative", "both"):
@@ -196,6 +210,12 @@ class Arguments(unittest.TestCase):
         with self.assertRaises(TypeError):
             thicken_mesh(*plate(), "2 mm")
         thicken_mesh(*plate(), np.float32(1))
+
+    def test_thickness_for_each_vertex(self):
+        vertices, triangles = plate()
+        for wrong in (np.ones(len(vertices) - 1), np.ones((len(vertices), 1)), np.zeros(len(vertices))):
+            with self.assertRaisesRegex(ValueError, "for each vertex"):
+                thicken_mesh(vertices, triangles, wrong)
 
     def test_words(self):
         for wrong in ({"side": "up"}, {"method": "magic"}, {"precision": "half"}):

@@ -4,6 +4,8 @@
 // the signed distance of Definition 1 and the membership of Definition 2.
 #pragma once
 
+#include <array>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -63,6 +65,13 @@ class ClosestPointTree {
 
   /// Distance from `p` to one triangle of S.
   [[nodiscard]] double distanceTo(TriangleId t, const Vec3& p) const;
+
+  /// The closest point of one triangle of S.
+  [[nodiscard]] Vec3 closestOn(TriangleId t, const Vec3& p) const;
+  /// Calls visit(t) for every triangle of S that any point of `triangle` is within a distance of; for some
+  /// others, too.
+  void near(const std::array<Vec3, 3>& triangle, double within,
+            const std::function<void(TriangleId)>& visit) const;
 
   /// Triangles of S that a query passes over.
   enum class Except {

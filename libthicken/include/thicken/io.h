@@ -30,6 +30,12 @@ struct MeshFile {
 /// As readMesh(), which keeps the warnings to itself.
 [[nodiscard]] MeshFile readMeshFile(const std::filesystem::path& path);
 
+/// A property of the vertices of a .ply file, by its name: a number for each vertex of readMesh(). Throws
+/// Error(kUnreadable) where the format or the file has none, kInvalidArgument where corners in one place have
+/// different ones.
+[[nodiscard]] std::vector<double> readVertexProperty(const std::filesystem::path& path,
+                                                     const std::string& name);
+
 /// Writes a mesh whole or not at all: into a temporary file beside `path`, which is renamed when
 /// it is complete. Throws Error(kUnwritable).
 void writeMesh(const std::filesystem::path& path, const TriangleMesh& mesh);

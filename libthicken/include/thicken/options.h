@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace thicken {
 
@@ -45,6 +46,9 @@ struct Options {
   /// mm: the solid begins so far from S, in place of at S. The surface there is Solid::gapSurface, and what
   /// is kept bit for bit. 0: none.
   double gap = 0;
+  /// Factors of it, > 0, one for each vertex of the surface, linear over its triangles; empty: 1 everywhere.
+  /// A point of the solid is as deep as its closest point on the surface asks for, r(c(p)).
+  std::vector<double> thicknessMap = {};
   Side side = Side::kNegative;
   Method method = Method::kAuto;
   Precision precision = Precision::kDouble;

@@ -74,12 +74,20 @@ struct GapFacts {
   SurfaceFacts surface;            ///< of the gap surface
 };
 
+/// A thickness that varies (Options::thicknessMap), as the solid has it.
+struct ThicknessFacts {
+  double least = 0, most = 0;  ///< mm
+  double steepest = 0;         ///< mm per mm along the surface, as it was asked for
+  std::size_t lowered = 0;     ///< vertices where it was made less, since it was steeper than 1
+};
+
 struct Report {
   SurfaceFacts input;                 ///< as it was given, before any repair
   NearRims nearRims;                  ///< of the surface that was thickened
   std::optional<RepairFacts> repair;  ///< with Options::repair: what was done to it
   std::optional<GapFacts> gap;        ///< with Options::gap; what follows is about the gap surface, not S
   double thickness = 0;               ///< mm
+  std::optional<ThicknessFacts> thicknessMap;  ///< where there is one
   Side side = Side::kNegative;
   Join join = Join::kMitre;                    ///< that was made
   Method asked = Method::kAuto;                ///< as it was asked for
@@ -106,11 +114,14 @@ struct Report {
   ErrorFacts shellError;           ///< over the whole shell
   ErrorFacts shellErrorFullDepth;  ///< where the depth reached is full
   std::optional<double> shellErrorBound;  ///< mm; with Options::tolerance: proved for all of the shell
-  /// mm, least distance from a shell vertex to S; where most of the shell is gone, thinnestThrough counts,
-  /// too
+  /// mm, distance from the shell's vertex that has the least share of the thickness there to S; where most of
+  /// the shell is gone, thinnestThrough counts, too
   double thinnestWall = 0;
+  double thinnestShare = 0;           ///< of the thickness there
   Vec3 thinnestPlace = Vec3::Zero();  ///< mm, where that is
-  double thinnestThrough = 0;         ///< mm, least way straight through the part from S; 0: none found
+  double thinnestThrough = 0;       ///< mm, least way straight through the part from S; 0: none found. Where
+                                    ///< the thickness varies: the least share of it
+  double thinnestThroughShare = 0;  ///< of the thickness there
   Vec3 thinnestThroughPlace = Vec3::Zero();  ///< mm, where that is
   double thinShare = 0;                      ///< share of the area of S with a depth below 0.9 r
   std::size_t droppedCopies = 0;             ///< vertices of S without a copy on the shell

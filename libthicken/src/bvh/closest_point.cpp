@@ -115,6 +115,15 @@ double ClosestPointTree::distanceTo(TriangleId t, const Vec3& p) const {
   return std::sqrt(impl_->tree.measure(p, t).squaredDistance);
 }
 
+Vec3 ClosestPointTree::closestOn(TriangleId t, const Vec3& p) const {
+  return impl_->tree.measure(p, t).point;
+}
+
+void ClosestPointTree::near(const std::array<Vec3, 3>& triangle, double within,
+                            const std::function<void(TriangleId)>& visit) const {
+  impl_->tree.near(PreparedTriangle(triangle, {0, 1, 2}), within, visit);
+}
+
 double ClosestPointTree::distance(const std::array<Vec3, 3>& triangle, double within, Except except) const {
   // A normal of a triangle that is no needle is exact to a tenth of this angle.
   constexpr double kClear = 1e-5;

@@ -113,4 +113,14 @@ bool DistanceTree::nearest(const PreparedTriangle& t,
   return found;
 }
 
+void DistanceTree::near(const PreparedTriangle& t, double within,
+                        const std::function<void(TriangleId)>& visit) const {
+  double squared = within * within;
+  const auto seen = [&](const PreparedTriangle& own) {
+    visit(order_[static_cast<std::size_t>(&own - prepared_.data())]);
+    return true;
+  };
+  (void)nearest(t, seen, squared);
+}
+
 }  // namespace thicken

@@ -42,6 +42,9 @@ class DistanceTree {
   bool nearest(const PreparedTriangle& t, const std::function<bool(const PreparedTriangle&)>& skip,
                double& squaredDistance) const;
 
+  /// Calls visit(t) for every triangle that is within a distance of `t`; for some others, too.
+  void near(const PreparedTriangle& t, double within, const std::function<void(TriangleId)>& visit) const;
+
   /// The triangle itself, as a starting bound for nearest().
   [[nodiscard]] TriangleClosest measure(const Vec3& p, TriangleId t) const;
 

@@ -20,7 +20,7 @@ constexpr int kMostSteps = 12;
 class CrossingSolver {
  public:
   CrossingSolver(const UniformGrid& grid, const NodeField& field, const Membership& membership)
-      : grid_(grid), field_(field), membership_(membership), r_(membership.thickness()) {}
+      : grid_(grid), field_(field), membership_(membership) {}
 
   [[nodiscard]] Crossing solve(const EdgePart& part) const {
     Search s{static_cast<int>(part.edge & 3), grid_.node(UniformGrid::indexOf(part.edge >> 2))};
@@ -63,7 +63,7 @@ class CrossingSolver {
     const NodeField::Sample& sample = field_[node];
     End e{x, {}, false};
     e.probe.standing = sample.standing;
-    e.probe.distance = sample.distance;
+    e.probe.excess = sample.excess;
     return e;
   }
 
@@ -79,18 +79,18 @@ class CrossingSolver {
         return false;
       }
       (e.probe.inside() ? s.in : s.out) = e;
-      const double miss = e.probe.distance - r_;
-      if (std::abs(miss) < kCloseEnough * r_) {
+      const double miss = e.probe.excess, r = e.probe.thickness;
+      if (std::abs(miss) < kCloseEnough * r) {
         s.in = s.out = e;
         s.out.probe.standing = Standing::kFar;
         return true;
       }
       if (std::abs(s.out.x - s.in.x) < kEndOfSearch * grid_.width()) return true;
-      const double slope = (s.p[s.axis] - e.probe.closest[s.axis]) / e.probe.distance;
+      const double slope = (s.p[s.axis] - e.probe.closest[s.axis]) / e.probe.distance - e.probe.slope[s.axis];
       x -= miss / slope;
       const double low = std::min(s.in.x, s.out.x), high = std::max(s.in.x, s.out.x);
       // One more step of this size needs no look at where it leads: what is left is its square, in r.
-      if (std::abs(miss) < kNear * r_ && std::abs(slope) > kSteep && x >= low && x <= high) {
+      if (std::abs(miss) < kNear * r && std::abs(slope) > kSteep && x >= low && x <= high) {
         s.in = s.out = {x, e.probe, true};
         s.out.probe.standing = Standing::kFar;
         return true;
@@ -101,7 +101,7 @@ class CrossingSolver {
   }
 
   [[nodiscard]] double secant(const Search& s) const {
-    const double in = s.in.probe.distance - r_, out = s.out.probe.distance - r_;
+    const double in = s.in.probe.excess, out = s.out.probe.excess;
     const double share = in < 0 && out > 0 ? std::clamp(in / (in - out), 0.02, 0.98) : 0.5;
     return s.in.x + share * (s.out.x - s.in.x);
   }
@@ -139,7 +139,10 @@ class CrossingSolver {
   [[nodiscard]] Vec3 normalOf(const Crossing& c, Search& s) const {
     if (c.beyond == Standing::kRim) return Vec3::Zero();
     if (!s.in.whole) s.in.probe = probeAt(s, s.in.x).probe;
-    if (c.beyond == Standing::kFar) return (c.at - s.in.probe.closest).stableNormalized();
+    if (c.beyond == Standing::kFar) {
+      const Probe& in = s.in.probe;
+      return (c.at - in.closest - in.distance * in.slope).stableNormalized();
+    }
     if (!s.out.whole) s.out.probe = probeAt(s, s.out.x).probe;
     const Vec3 across = s.out.probe.closest - s.in.probe.closest;  // halfway between two sheets
     constexpr double kApart = 0.5;
@@ -149,7 +152,6 @@ class CrossingSolver {
   const UniformGrid& grid_;
   const NodeField& field_;
   const Membership& membership_;
-  double r_;
 };
 
 }  // namespace

@@ -50,8 +50,8 @@ TriangleMesh beyondSurface(const TriangleMesh& carrier, std::size_t from, std::s
 }  // namespace
 
 Membership::Membership(const TriangleMesh& carrier, const ClosestPointTree& surface,
-                       std::size_t surfaceTriangles, double thickness, std::span<const Region> region,
-                       std::span<const std::uint8_t> covered, int threads)
+                       std::size_t surfaceTriangles, const Thickness& thickness,
+                       std::span<const Region> region, std::span<const std::uint8_t> covered, int threads)
     : surface_(surface),
       covered_(covered),
       beyond_(beyondSurface(carrier, surfaceTriangles, atRim_), threads),
@@ -73,7 +73,7 @@ bool Membership::isCovered(TriangleId onSurface) const {
 Standing Membership::beforeCarrier(const Vec3& p, const ClosestPoint& onSurface, TriangleId beyond) const {
   if (!isShell(beyond)) return Standing::kRim;
   const bool inside = !onSurface.onRim && !isCovered(onSurface.triangle) &&
-                      onSurface.distance < (1 - kOff) * thickness_ && behind(p, onSurface);
+                      onSurface.distance < (1 - kOff) * thickness_.at(onSurface) && behind(p, onSurface);
   return inside ? Standing::kInside : Standing::kFar;
 }
 
@@ -91,7 +91,11 @@ Probe Membership::probe(const Vec3& p) const {
   result.carrierDistance = onCarrier.distance;
   result.closest = c.point;
   result.triangle = c.triangle;
-  const bool far = c.distance > thickness_;
+  const double r = thickness_.at(c);
+  result.thickness = r;
+  result.slope = thickness_.slope(c);
+  result.excess = c.distance - r;
+  const bool far = c.distance > r;
   if (onCarrier.onRim)
     result.standing = c.onRim         ? Standing::kRim
                       : !behind(p, c) ? Standing::kFront
@@ -101,7 +105,7 @@ Probe Membership::probe(const Vec3& p) const {
     result.standing = onSurface ? Standing::kFront : beforeCarrier(p, c, onCarrier.triangle);
   else if (!onSurface && isShell(onCarrier.triangle))
     result.standing =
-        c.distance > (1 + kOff) * thickness_ && !isCovered(c.triangle) ? Standing::kFar : Standing::kInside;
+        c.distance > (1 + kOff) * r && !isCovered(c.triangle) ? Standing::kFar : Standing::kInside;
   else
     result.standing = far ? Standing::kFar : Standing::kInside;
   return result;

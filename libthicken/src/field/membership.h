@@ -12,6 +12,7 @@
 
 #include "thicken/closest_point.h"
 #include "thicken/result.h"
+#include "thickness.h"
 
 namespace thicken {
 
@@ -26,6 +27,9 @@ enum class Standing : std::uint8_t {
 struct Probe {
   Standing standing = Standing::kFar;
   double distance = 0;          ///< to S, mm
+  double thickness = 0;         ///< there, mm
+  double excess = 0;            ///< mm, of the distance over it
+  Vec3 slope = Vec3::Zero();    ///< of the thickness there
   double carrierDistance = 0;   ///< to Ŝ, mm; at most `distance`
   Vec3 closest = Vec3::Zero();  ///< on S
   TriangleId triangle = 0;      ///< of S, holds `closest`
@@ -35,15 +39,16 @@ struct Probe {
 class Membership {
  public:
   /// The first `surfaceTriangles` triangles of the carrier are those of the surface, in its order. `surface`
+  /// The first `surfaceTriangles` triangles of the carrier are those of the surface, in its order. `surface`
   /// is their tree. The other triangles get a tree of their own. `region`, per triangle of the carrier, marks
   /// pieces of shell (empty: none). `covered`, per triangle of the surface: 1 if such a piece ends its
-  /// material, at any depth (empty: none). `surface` and `covered` must outlive this.
+  /// material, at any depth (empty: none). `surface`, `thickness` and `covered` must outlive this.
   Membership(const TriangleMesh& carrier, const ClosestPointTree& surface, std::size_t surfaceTriangles,
-             double thickness, std::span<const Region> region = {},
+             const Thickness& thickness, std::span<const Region> region = {},
              std::span<const std::uint8_t> covered = {}, int threads = 1);
 
   [[nodiscard]] Probe probe(const Vec3& p) const;
-  [[nodiscard]] double thickness() const { return thickness_; }
+  [[nodiscard]] const Thickness& thickness() const { return thickness_; }
   [[nodiscard]] const ClosestPointTree& surface() const { return surface_; }
 
  private:
@@ -56,7 +61,7 @@ class Membership {
   std::vector<Region> region_;  ///< of the others; empty: no shell
   std::span<const std::uint8_t> covered_;
   ClosestPointTree beyond_;
-  double thickness_;
+  const Thickness& thickness_;
 };
 
 }  // namespace thicken

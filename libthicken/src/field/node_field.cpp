@@ -10,7 +10,7 @@ namespace thicken {
 void NodeField::evaluate(const Wanted& node, const Membership& membership) {
   Sample& s = samples_[node.number];
   const Probe p = membership.probe(grid_.node(UniformGrid::indexOf(node.key)));
-  s.distance = p.distance;
+  s.excess = p.excess;
   s.carrierDistance = static_cast<float>(p.carrierDistance) * (1 + std::numeric_limits<float>::epsilon());
   s.closest = p.triangle;
   s.standing = p.standing;

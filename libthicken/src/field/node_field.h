@@ -22,7 +22,7 @@ class NodeField {
  public:
   enum class State : std::uint8_t { kUnknown, kKnown };
   struct Sample {
-    double distance = 0;        ///< to S, mm
+    double excess = 0;          ///< mm, of the distance to S over the thickness
     float carrierDistance = 0;  ///< to Ŝ, mm, rounded up
     TriangleId closest = 0;     ///< a triangle of S that holds the closest point
     Standing standing = Standing::kFar;

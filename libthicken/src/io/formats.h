@@ -6,7 +6,9 @@
 
 #include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "io/source_file.h"
 #include "io/target_file.h"
@@ -19,6 +21,8 @@ namespace thicken::io {
 using Reader = TriangleMesh (*)(const SourceFile& file);
 TriangleMesh readStl(const SourceFile& file);
 TriangleMesh readPly(const SourceFile& file);
+/// The numbers of a property of the vertices.
+std::vector<double> readPlyProperty(const SourceFile& file, const std::string& name);
 TriangleMesh readObj(const SourceFile& file);
 TriangleMesh readOff(const SourceFile& file);
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "io/formats.h"
+#include "mesh/vertex_values.h"
 #include "thicken/check.h"
 #include "thicken/error.h"
 #include "thicken/io.h"
@@ -96,6 +97,14 @@ MeshFile readMeshFile(const std::filesystem::path& path) {
     throw Error(ErrorCode::kMemoryLimit,
                 io::quoted(path) + ": the memory of this machine does not suffice to read the file.");
   }
+}
+
+std::vector<double> readVertexProperty(const std::filesystem::path& path, const std::string& name) {
+  if (readable(path).read != &io::readPly)
+    throw Error(ErrorCode::kUnreadable, io::quoted(path) + ": only .ply files have properties of vertices.");
+  const io::SourceFile file(path);
+  const TriangleMesh mesh = io::readPly(file);
+  return valuesAt(mesh, io::readPlyProperty(file, name), weld(mesh), "\"" + name + "\"");
 }
 
 std::vector<std::filesystem::path> pathsOfMeshes(const std::filesystem::path& path, std::size_t count) {

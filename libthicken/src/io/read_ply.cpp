@@ -20,8 +20,9 @@ const PlyElement* elementOf(const PlyHeader& header, std::string_view name) {
 template <class Values>
 class PlyReader {
  public:
-  PlyReader(Values values, const PlyHeader& header, const SourceFile& file)
-      : values_(std::move(values)), header_(header), file_(file) {}
+  /// `property`: of the vertices, to be read besides; empty: none.
+  PlyReader(Values values, const PlyHeader& header, const SourceFile& file, std::string property)
+      : values_(std::move(values)), header_(header), file_(file), property_(std::move(property)) {}
 
   PolygonSoup read() {
     const PlyElement* vertex = elementOf(header_, "vertex");
@@ -45,6 +46,10 @@ class PlyReader {
     if (soup_.positions.size() != vertices_) file_.fail("the vertices have no properties");
     if (!values_.atEnd()) values_.fail("there is more in the file than its header announces; it is damaged");
     return std::move(soup_);
+  }
+  std::vector<double> readProperty() {
+    (void)read();
+    return std::move(numbers_);
   }
 
  private:
@@ -86,19 +91,23 @@ class PlyReader {
   void readVertices(const PlyElement& element) {
     requireNameable(element.count, "vertices", file_);
     std::vector<int> axis(element.properties.size(), -1);
-    for (int k = 0; k < 3; ++k) {
-      const std::string_view name = std::string_view("xyz").substr(static_cast<std::size_t>(k), 1);
+    const auto placeOf = [&](std::string_view name) {
       const auto found = std::ranges::find(element.properties, name, &PlyProperty::name);
       if (found == element.properties.end() || found->countType) {
         file_.fail("the vertices have no property \"" + std::string(name) + "\"");
       }
-      axis[static_cast<std::size_t>(found - element.properties.begin())] = k;
-    }
+      return static_cast<std::size_t>(found - element.properties.begin());
+    };
+    for (int k = 0; k < 3; ++k)
+      axis[placeOf(std::string_view("xyz").substr(static_cast<std::size_t>(k), 1))] = k;
+    const std::size_t wanted = property_.empty() ? element.properties.size() : placeOf(property_);
     soup_.positions.reserve(element.count);
     Vec3 position = Vec3::Zero();
     const auto take = [&](std::size_t i) {
-      if (axis[i] < 0) return false;
-      position[axis[i]] = values_.number(element.properties[i].type);
+      if (axis[i] < 0 && i != wanted) return false;
+      const double number = values_.number(element.properties[i].type);
+      if (axis[i] >= 0) position[axis[i]] = number;
+      if (i == wanted) numbers_.push_back(number);
       return true;
     };
     for (std::size_t v = 0; v < element.count; ++v) {
@@ -143,21 +152,32 @@ class PlyReader {
   Values values_;
   const PlyHeader& header_;
   const SourceFile& file_;
+  std::string property_;
+  std::vector<double> numbers_;  // of that property
   std::size_t vertices_ = 0;
   PolygonSoup soup_;
 };
 
+// use(reader)
+template <class Use>
+auto withReader(const SourceFile& file, const std::string& property, Use use) {
+  refuseForeign(file);
+  const PlyHeader header = readPlyHeader(file);
+  if (header.encoding == PlyEncoding::kAscii)
+    return use(PlyReader(PlyText(file, header), header, file, property));
+  const std::endian order =
+      header.encoding == PlyEncoding::kLittleEndian ? std::endian::little : std::endian::big;
+  return use(PlyReader(PlyBytes(file, header, order), header, file, property));
+}
+
 }  // namespace
 
 TriangleMesh readPly(const SourceFile& file) {
-  refuseForeign(file);
-  const PlyHeader header = readPlyHeader(file);
-  if (header.encoding == PlyEncoding::kAscii) {
-    return triangulated(PlyReader(PlyText(file, header), header, file).read(), file);
-  }
-  const std::endian order =
-      header.encoding == PlyEncoding::kLittleEndian ? std::endian::little : std::endian::big;
-  return triangulated(PlyReader(PlyBytes(file, header, order), header, file).read(), file);
+  return withReader(file, {}, [&](auto reader) { return triangulated(reader.read(), file); });
+}
+
+std::vector<double> readPlyProperty(const SourceFile& file, const std::string& name) {
+  return withReader(file, name, [](auto reader) { return reader.readProperty(); });
 }
 
 }  // namespace thicken::io

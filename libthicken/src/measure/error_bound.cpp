@@ -21,7 +21,14 @@ struct Corner {
   Vec3 at = Vec3::Zero();
   TriangleId nearest = 0;
   double distance = 0;  // mm
-  bool onRim = false;
+  bool onRim = false, onFace = false;
+  double thickness = 0;  // mm
+  [[nodiscard]] double excess() const { return distance - thickness; }
+};
+
+// Of the thickness that the closest points of a part ask for, mm.
+struct Range {
+  double least = 0, most = 0;
 };
 
 struct Part {
@@ -52,21 +59,25 @@ Vec3 normalOf(const Corners& t) {
 
 class ShellProof {
  public:
-  ShellProof(const ClosestPointTree& tree, double r, Side side, double tolerance, double rounding)
-      : tree_(tree),
-        r_(r),
+  ShellProof(const Job& job, double tolerance, double rounding)
+      : tree_(job.tree),
+        thickness_(job.thickness),
         tolerance_(tolerance),
         rounding_(rounding),
-        oneSided_(side != Side::kBoth),
-        smallest_(std::sqrt(r * tolerance) / 64) {}
+        oneSided_(job.options.side != Side::kBoth),
+        smallest_(std::sqrt(job.thickness.most() * tolerance) / 64) {}
 
   [[nodiscard]] Corner cornerAt(const Vec3& p) const {
     const auto c = tree_.closest(p);
-    return {p, c->triangle, c->distance, c->onRim};
+    return {p, c->triangle, c->distance, c->onRim, c->feature == Feature::kFace, thickness_.at(*c)};
   }
 
-  // An error that there is for certain, up to the tolerance.
-  void expect(double error) { goal_ = std::min(tolerance_, (known_ = error) + tolerance_ / 8); }
+  // An error that there is for certain, up to the tolerance. Where the thickness varies the bound is not to
+  // be tighter than asked: parts would have to be far smaller for it.
+  void expect(double error) {
+    known_ = error;
+    goal_ = thickness_.isConstant() ? std::min(tolerance_, error + tolerance_ / 8) : tolerance_;
+  }
 
   // The corner that is farthest off, if any is by more than the tolerance: no part around it would be let
   // pass, however small.
@@ -101,9 +112,10 @@ class ShellProof {
   [[nodiscard]] ErrorBound cornerOff(const std::array<Corner, 3>& triangle, const Vec3& out) const {
     ErrorBound bound{0, triangle[0].at};
     for (const Corner& c : triangle) {
-      const bool isFar = c.distance - rounding_ > r_ + tolerance_;
-      const bool isNear = !c.onRim && c.distance + rounding_ < r_ - tolerance_ && !endsHalfway(c.at, out);
-      if (isFar || isNear) raise(bound, std::abs(c.distance - r_), c.at);
+      const bool isFar = c.distance - rounding_ > c.thickness + tolerance_;
+      const bool isNear =
+          !c.onRim && c.distance + rounding_ < c.thickness - tolerance_ && !endsHalfway(c.at, out);
+      if (isFar || isNear) raise(bound, std::abs(c.excess()), c.at);
     }
     return bound;
   }
@@ -112,16 +124,18 @@ class ShellProof {
   bool provedNear(Part& part, bool last, ErrorBound& bound) const {
     const Corner* farthest = &part.corner[0];
     for (const Corner& c : part.corner)
-      if (c.distance > farthest->distance) farthest = &c;
-    if (farthest->distance - rounding_ > r_ + tolerance_) {
-      bound = {farthest->distance - r_, farthest->at};
+      if (c.excess() > farthest->excess()) farthest = &c;
+    if (farthest->distance - rounding_ > farthest->thickness + tolerance_) {
+      bound = {farthest->excess(), farthest->at};
       return false;
     }
-    double error = farthestFrom(part) + rounding_ - r_;
+    const double least = thicknessOver(part).least;
+    double error = farthestFrom(part) + rounding_ - least;
     if (error > goal_) {
       const Corner middle = cornerAt(middleOf(cornersOf(part)));
-      error = std::min(error, farthestFrom(part, middle.nearest) + rounding_ - r_);
+      error = std::min(error, farthestFrom(part, middle.nearest) + rounding_ - least);
     }
+    if (error > goal_ && isBelowOne(part)) error = farthest->excess() + rounding_;
     if (error > goal_ && !last && longestEdge(part).second > smallest_) return true;
     raise(bound, error, farthest->at);
     part.nearEnough = true;
@@ -132,7 +146,11 @@ class ShellProof {
   bool provedFar(Part& part, const Vec3& out, bool last, ErrorBound& bound) const {
     const Corners t = cornersOf(part);
     const Vec3 middle = middleOf(t);
-    double error = r_ + rounding_ - tree_.distance(t, r_ - known_);
+    const double r = thicknessOver(part).most;
+    double error = r + rounding_ - tree_.distance(t, r - known_);
+    if (error > tolerance_ && isBelowOne(part))
+      error =
+          rounding_ - std::min({part.corner[0].excess(), part.corner[1].excess(), part.corner[2].excess()});
     if (error > tolerance_) {
       const double radius = radiusOf(t, middle);
       if (radius <= tolerance_ && isOfRim(part, middle)) {
@@ -167,6 +185,37 @@ class ShellProof {
       if (part.corner[k].nearest != part.corner[k - 1].nearest)
         least = std::min(least, farthestFrom(part, part.corner[k].nearest));
     return least;
+  }
+
+  // What the closest points of a part ask for that is at most `farthest` mm from S.
+  [[nodiscard]] Range thicknessOver(const Corners& t, double farthest) const {
+    if (thickness_.isConstant()) return {thickness_.least(), thickness_.most()};
+    const Vec3 middle = middleOf(t);
+    const double radius = radiusOf(t, middle);
+    Range range{thickness_.most(), thickness_.least()};
+    tree_.near(t, farthest + 2 * rounding_, [&](TriangleId s) {
+      const double there = thickness_.at(s, tree_.closestOn(s, middle));
+      const double change = thickness_.slope(s).norm() * radius;
+      range.least = std::min(range.least, there - change);
+      range.most = std::max(range.most, there + change);
+    });
+    return {std::max(range.least, thickness_.least()), std::min(range.most, thickness_.most())};
+  }
+  [[nodiscard]] Range thicknessOver(const Part& part) const {
+    if (thickness_.isConstant()) return {thickness_.least(), thickness_.most()};
+    return thicknessOver(cornersOf(part), farthestFrom(part));
+  }
+
+  // Whether all closest points of a part are inside of one triangle.
+  [[nodiscard]] bool isBelowOne(const Part& part) const {
+    if (thickness_.isConstant()) return false;
+    const TriangleId one = part.corner[0].nearest;
+    for (const Corner& c : part.corner)
+      if (!c.onFace || c.nearest != one) return false;
+    bool isAlone = true;
+    tree_.near(cornersOf(part), farthestFrom(part) + 2 * rounding_,
+               [&](TriangleId s) { isAlone &= s == one; });
+    return isAlone;
   }
 
   [[nodiscard]] bool isOfRim(const Part& part, const Vec3& middle) const {
@@ -207,23 +256,27 @@ class ShellProof {
     return false;
   }
 
-  [[nodiscard]] bool isInside(const Vec3& p) const { return insideThickened(p, *tree_.closest(p), r_); }
+  [[nodiscard]] bool isInside(const Vec3& p) const {
+    const ClosestPoint c = *tree_.closest(p);
+    return insideThickened(p, c, thickness_.at(c));
+  }
 
   // Some triangle that has all points behind it is nearer than all others are, and not farther than asked.
   [[nodiscard]] bool allInside(const Corners& t) const {
     const Vec3 middle = middleOf(t);
     const auto c = tree_.closest(middle);
-    if (!insideThickened(middle, *c, r_)) return false;
+    if (!insideThickened(middle, *c, thickness_.at(*c))) return false;
     const double most = farthestFrom(t, c->triangle) + 2 * rounding_;
-    return most <= r_ && tree_.distance(t, most, ClosestPointTree::Except::kBehind) == most;
+    return most <= thicknessOver(t, most).least &&
+           tree_.distance(t, most, ClosestPointTree::Except::kBehind) == most;
   }
 
   // Some triangle that has all points before it is, or else all are farther than asked.
   [[nodiscard]] bool allOutside(const Corners& t) const {
     const Vec3 middle = middleOf(t);
     const auto c = tree_.closest(middle);
-    if (insideThickened(middle, *c, r_)) return false;
-    const double most = std::min(r_, farthestFrom(t, c->triangle)) + 2 * rounding_;
+    if (insideThickened(middle, *c, thickness_.at(*c))) return false;
+    const double most = std::min(thickness_.most(), farthestFrom(t, c->triangle)) + 2 * rounding_;
     return tree_.distance(t, most, ClosestPointTree::Except::kBefore) == most;
   }
 
@@ -247,7 +300,8 @@ class ShellProof {
   }
 
   const ClosestPointTree& tree_;
-  double r_, tolerance_;
+  const Thickness& thickness_;
+  double tolerance_;
   double rounding_;  // mm: roundingOf()
   bool oneSided_;
   double smallest_;  // edge: what is not proved by then is as far as the tolerance but for a ten-thousandth
@@ -293,20 +347,19 @@ struct ShellToProve {
   std::vector<Corner> corner;  // per vertex of the solid
   ShellProof proof;
 
-  ShellToProve(const TriangleMesh& solid, std::span<const Region> region, const ClosestPointTree& tree,
-               double r, Side side, double tolerance, const RunContext& context, int threads)
+  ShellToProve(const Job& job, const TriangleMesh& solid, std::span<const Region> region, double tolerance)
       : triangles(shellOf(region)),
         corner(solid.positions.size()),
-        proof(tree, r, side, tolerance, roundingOf(solid, side, r)) {
+        proof(job, tolerance, roundingOf(solid, job.options.side, job.thickness.most())) {
     std::vector<std::uint8_t> onShell(corner.size(), 0);
     for (const TriangleId t : triangles)
       for (const VertexId v : solid.triangles[t]) onShell[v] = 1;
-    parallelFor(corner.size(), threads, context, 256, [&](std::size_t v) {
+    parallelFor(corner.size(), job.threads, job.context, 256, [&](std::size_t v) {
       if (onShell[v]) corner[v] = proof.cornerAt(solid.positions[v]);
     });
     double known = 0;
     for (std::size_t v = 0; v < corner.size(); ++v)
-      if (const double error = std::abs(corner[v].distance - r); onShell[v] && error <= tolerance)
+      if (const double error = std::abs(corner[v].excess()); onShell[v] && error <= tolerance)
         known = std::max(known, error);
     proof.expect(known);
   }
@@ -327,14 +380,13 @@ struct ShellToProve {
 
 }  // namespace
 
-ErrorBound boundShellError(const TriangleMesh& solid, std::span<const Region> region,
-                           const ClosestPointTree& tree, double r, Side side, double tolerance,
-                           const RunContext& context, int threads) {
+ErrorBound boundShellError(const Job& job, const TriangleMesh& solid, std::span<const Region> region,
+                           double tolerance) {
   exact::requireExactArithmetic();
-  const ShellToProve shell(solid, region, tree, r, side, tolerance, context, threads);
+  const ShellToProve shell(job, solid, region, tolerance);
   const auto worstOf = [&](const auto& boundOf) {
     std::vector<ErrorBound> bounds(shell.triangles.size());
-    parallelFor(bounds.size(), threads, context, 64,
+    parallelFor(bounds.size(), job.threads, job.context, 64,
                 [&](std::size_t i) { bounds[i] = boundOf(shell.cornersOf(solid, i)); });
     ErrorBound worst;
     for (const ErrorBound& bound : bounds)
@@ -348,12 +400,11 @@ ErrorBound boundShellError(const TriangleMesh& solid, std::span<const Region> re
   return worstOf([&](const std::array<Corner, 3>& triangle) { return shell.proof.boundOf(triangle); });
 }
 
-std::vector<TriangleId> shellBeyond(const TriangleMesh& solid, std::span<const Region> region,
-                                    const ClosestPointTree& tree, double r, Side side, double tolerance,
-                                    const RunContext& context, int threads) {
-  const ShellToProve shell(solid, region, tree, r, side, tolerance, context, threads);
+std::vector<TriangleId> shellBeyond(const Job& job, const TriangleMesh& solid, std::span<const Region> region,
+                                    double tolerance) {
+  const ShellToProve shell(job, solid, region, tolerance);
   std::vector<std::uint8_t> isBeyond(shell.triangles.size(), 0);
-  parallelFor(isBeyond.size(), threads, context, 64, [&](std::size_t i) {
+  parallelFor(isBeyond.size(), job.threads, job.context, 64, [&](std::size_t i) {
     const std::array<Corner, 3> triangle = shell.cornersOf(solid, i);
     isBeyond[i] =
         shell.proof.cornerOff(triangle).most > tolerance || shell.proof.boundOf(triangle).most > tolerance;

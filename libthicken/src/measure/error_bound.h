@@ -7,6 +7,12 @@
 // than the least, over some triangles of S, of the largest at the part's corners. What it is at least is the
 // distance of two triangles. Parts that neither settles are divided.
 //
+// Where the thickness varies, r(c(p)) over a part is bounded as well: c(p) lies on one of the triangles of S
+// that are no farther from the part than its farthest point is from S, and on each of these it moves no
+// faster than p does, so that r there differs from that of the part's middle by the slope times the part's
+// radius at most. Over one triangle of S that is alone there, distance and r are both linear, and the corners
+// tell all.
+//
 // A part that is nearer to S than asked counts, unless Definition 2 itself ends the solid there: where the
 // front of another sheet is as near, ∂H is halfway between the two. That is proved, too: a short way out of
 // the solid all of the part is outside of H, and as far to the inside all of it is in H. A shell that is
@@ -18,10 +24,8 @@
 #include <span>
 #include <vector>
 
-#include "thicken/closest_point.h"
-#include "thicken/options.h"
+#include "job.h"
 #include "thicken/result.h"
-#include "thicken/run_context.h"
 
 namespace thicken {
 
@@ -31,16 +35,14 @@ struct ErrorBound {
 };
 
 /// The triangles of the shell for which boundShellError() finds more than `tolerance`, ascending.
-[[nodiscard]] std::vector<TriangleId> shellBeyond(const TriangleMesh& solid, std::span<const Region> region,
-                                                  const ClosestPointTree& tree, double r, Side side,
-                                                  double tolerance, const RunContext& context, int threads);
+[[nodiscard]] std::vector<TriangleId> shellBeyond(const Job& job, const TriangleMesh& solid,
+                                                  std::span<const Region> region, double tolerance);
 
-/// The bound for the shell of a valid solid of thickness `r` on the negative side of the surface of `tree`,
-/// or on both. `most` is above `tolerance` (mm) only where that could not be proved; then it is how far off
-/// the worst of the places is where the proof failed. Else it is above the largest error there is by an
-/// eighth of the tolerance at most, or the tolerance itself where the solid ends halfway to another sheet.
-[[nodiscard]] ErrorBound boundShellError(const TriangleMesh& solid, std::span<const Region> region,
-                                         const ClosestPointTree& tree, double r, Side side, double tolerance,
-                                         const RunContext& context, int threads);
+/// The bound for the shell of a valid solid. `most` is above `tolerance` (mm) only where that could not be
+/// proved; then it is how far off the worst of the places is where the proof failed. Else it is above the
+/// largest error there is by an eighth of the tolerance at most, or the tolerance itself where the solid ends
+/// halfway to another sheet, or where the thickness varies.
+[[nodiscard]] ErrorBound boundShellError(const Job& job, const TriangleMesh& solid,
+                                         std::span<const Region> region, double tolerance);
 
 }  // namespace thicken

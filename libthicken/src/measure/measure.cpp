@@ -55,8 +55,7 @@ ErrorFacts summary(std::vector<Sample> samples, int threads) {
   return facts;
 }
 
-ShellDistances shellDistances(const Solid& solid, const ClosestPointTree& tree, ShellDistances known,
-                              const RunContext& context, int threads) {
+ShellDistances shellDistances(const Solid& solid, const Job& job, ShellDistances known) {
   std::vector<std::uint8_t> onShell(solid.mesh.positions.size(), 0);
   for (std::size_t t = 0; t < solid.region.size(); ++t)
     if (solid.region[t] == Region::kShell)
@@ -64,11 +63,11 @@ ShellDistances shellDistances(const Solid& solid, const ClosestPointTree& tree, 
   const bool isKnown = !known.distance.empty();
   known.distance.resize(onShell.size());
   known.nearest.resize(onShell.size());
-  parallelFor(onShell.size(), threads, context, 512, [&](std::size_t v) {
+  parallelFor(onShell.size(), job.threads, job.context, 512, [&](std::size_t v) {
     if (!onShell[v]) {
       known.distance[v] = std::numeric_limits<double>::infinity();
     } else if (!isKnown) {
-      const auto c = tree.closest(solid.mesh.positions[v]);
+      const auto c = job.tree.closest(solid.mesh.positions[v]);
       known.distance[v] = c->distance;
       known.nearest[v] = c->triangle;
     }
@@ -77,13 +76,13 @@ ShellDistances shellDistances(const Solid& solid, const ClosestPointTree& tree, 
 }
 
 // The error over the whole shell, and over the triangles whose corners are all as deep as asked.
-void measureShell(Solid& solid, const TriangleMesh& surface, const ClosestPointTree& tree,
-                  const ShellDistances& known, Measure what, const RunContext& context, int threads) {
+void measureShell(Solid& solid, const Job& job, const ShellDistances& known, Measure what) {
   constexpr double kFull = 0.99;
-  const double r = solid.report.thickness;
+  const TriangleMesh& surface = job.surface;
+  const int threads = job.threads;
   const auto normal = faceNormals(surface.positions, surface.triangles, threads);
   const auto around = vertexTriangles(surface.positions.size(), surface.triangles, threads);
-  const OffsetError error(surface, normal, around, r, solid.report.join);
+  const OffsetError error(job, normal, around, solid.report.join);
   std::vector<TriangleId> shell;
   for (TriangleId t = 0; t < solid.region.size(); ++t)
     if (solid.region[t] == Region::kShell) shell.push_back(t);
@@ -95,15 +94,15 @@ void measureShell(Solid& solid, const TriangleMesh& surface, const ClosestPointT
   }
   std::vector<Sample> samples(each * shell.size());
   std::vector<TriangleId> near(shell.size());
-  parallelFor(shell.size(), threads, context, 4096, [&](std::size_t i) {
+  parallelFor(shell.size(), threads, job.context, 4096, [&](std::size_t i) {
     const Triangle& t = solid.mesh.triangles[shell[i]];
     near[i] = known.nearest[t[0]];
     const double area = areaOf(solid.mesh.positions, t);
     for (std::size_t k = 0; k < each; ++k) samples[each * i + k].weight = area / double(each);
   });
-  SpatialOrder(near, tree, threads)
+  SpatialOrder(near, job.tree, threads)
       .query<kMostShellSamples>(
-          tree, each, threads, context,
+          job.tree, each, threads, job.context,
           [&](std::uint32_t i, std::size_t k, ClosestPointTree::Query& query) {
             const Triangle& t = solid.mesh.triangles[shell[i]];
             const auto& w = kShellSamples[k];
@@ -113,26 +112,34 @@ void measureShell(Solid& solid, const TriangleMesh& surface, const ClosestPointT
             return true;
           },
           [&](std::uint32_t i, std::size_t k, const Vec3& p, const ClosestPoint& c) {
-            samples[each * i + k].error = c.onRim ? -1 : std::abs(error.at(p, c).mm) / r;
+            samples[each * i + k].error = c.onRim ? -1 : std::abs(error.at(p, c).mm) / job.thickness.at(c);
           });
   std::vector<Sample> full;
   for (std::size_t i = 0; i < shell.size(); ++i) {
     const Triangle& t = solid.mesh.triangles[shell[i]];
-    if (std::all_of(t.begin(), t.end(), [&](VertexId v) { return known.distance[v] >= kFull * r; }))
+    if (std::all_of(t.begin(), t.end(), [&](VertexId v) {
+          const double r = job.thickness.at(known.nearest[v], solid.mesh.positions[v]);
+          return known.distance[v] >= kFull * r;
+        }))
       full.insert(full.end(), &samples[each * i], &samples[each * i] + each);
   }
   solid.report.shellError = summary(std::move(samples), threads);
   solid.report.shellErrorFullDepth = summary(std::move(full), threads);
 }
 
+// What is asked for at a point.
+double thicknessAt(const Job& job, const Vec3& p) {
+  return job.thickness.isConstant() ? job.thickness.most() : job.thickness.at(*job.tree.closest(p));
+}
+
 // The shortest way straight through the material, from the middle of a triangle of S (on both sides, where S
 // is inside: of the shell) to one that faces the other way. Near any edge there are short ways across the
 // corner: they count where the edge is sharper than 60 degrees.
-void findThinnestThrough(Solid& solid, Measure what, const RunContext& context, int threads) {
+void findThinnestThrough(Solid& solid, const Job& job, Measure what) {
   constexpr double kFacing = -0.5;
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   const auto& [positions, triangles] = solid.mesh;
-  const std::vector<Vec3> normal = faceNormals(positions, triangles, threads);
+  const std::vector<Vec3> normal = faceNormals(positions, triangles, job.threads);
   const RayTree tree(positions, triangles);
   const auto middleOf = [&positions = positions](const Triangle& t) {
     return Vec3((positions[t[0]] + positions[t[1]] + positions[t[2]]) / 3);
@@ -143,35 +150,47 @@ void findThinnestThrough(Solid& solid, Measure what, const RunContext& context, 
     if (solid.region[t] == outside) from.push_back(t);
   const std::size_t step = what == Measure::kRepresentative ? (from.size() + kEnough - 1) / kEnough : 1;
   std::vector<double> through(triangles.size(), kInfinite);
-  parallelFor((from.size() + step - 1) / std::max<std::size_t>(step, 1), threads, context, 256,
+  parallelFor((from.size() + step - 1) / std::max<std::size_t>(step, 1), job.threads, job.context, 256,
               [&, &triangles = triangles](std::size_t i) {
                 const TriangleId t = from[step * i];
                 const RayTree::Hit hit = tree.first(middleOf(triangles[t]), -normal[t], triangles[t]);
                 if (hit.along < kInfinite && normal[t].dot(normal[hit.triangle]) < kFacing)
                   through[t] = hit.along;
               });
-  const auto least = std::min_element(through.begin(), through.end());
-  if (least == through.end() || !(*least < kInfinite)) return;
-  solid.report.thinnestThrough = *least;
-  solid.report.thinnestThroughPlace = middleOf(triangles[static_cast<std::size_t>(least - through.begin())]);
+  std::vector<double> share = through;
+  for (TriangleId t = 0; t < share.size(); ++t)
+    if (share[t] < kInfinite) share[t] /= thicknessAt(job, middleOf(triangles[t]));
+  const auto least = std::min_element(share.begin(), share.end());
+  if (least == share.end() || !(*least < kInfinite)) return;
+  const auto t = static_cast<std::size_t>(least - share.begin());
+  solid.report.thinnestThrough = through[t];
+  solid.report.thinnestThroughShare = *least;
+  solid.report.thinnestThroughPlace = middleOf(triangles[t]);
 }
 
-// The thinnest wall is the least distance of a shell vertex from S. Where most of the shell is gone, because
-// the solid ends in walls before, the least way straight through it counts, too.
-void findThinnest(Solid& solid, std::span<const double> distance, double surfaceArea) {
+// The thinnest wall is where the distance of a shell vertex from S is the least share of the thickness there.
+// Where most of the shell is gone, because the solid ends in walls before, the least way straight through it
+// counts, too.
+void findThinnest(Solid& solid, const Job& job, const ShellDistances& known) {
   Report& report = solid.report;
   double shellArea = 0;
   for (std::size_t t = 0; t < solid.region.size(); ++t)
     if (solid.region[t] == Region::kShell) shellArea += areaOf(solid.mesh.positions, solid.mesh.triangles[t]);
-  const auto least = std::min_element(distance.begin(), distance.end());
-  const bool hasShell = least != distance.end() && std::isfinite(*least);
+  std::vector<double> share = known.distance;
+  for (VertexId v = 0; v < share.size(); ++v)
+    if (std::isfinite(share[v])) share[v] /= job.thickness.at(known.nearest[v], solid.mesh.positions[v]);
+  const auto least = std::min_element(share.begin(), share.end());
+  const bool hasShell = least != share.end() && std::isfinite(*least);
   if (hasShell) {
-    report.thinnestWall = *least;
-    report.thinnestPlace = solid.mesh.positions[static_cast<std::size_t>(least - distance.begin())];
+    const auto v = static_cast<std::size_t>(least - share.begin());
+    report.thinnestWall = known.distance[v];
+    report.thinnestShare = *least;
+    report.thinnestPlace = solid.mesh.positions[v];
   }
-  if (!(report.thinnestThrough > 0) || shellArea > surfaceArea / 2) return;
-  if (hasShell && report.thinnestThrough >= *least) return;
+  if (!(report.thinnestThrough > 0) || shellArea > areaOf(job.surface) / 2) return;
+  if (hasShell && report.thinnestThroughShare >= *least) return;
   report.thinnestWall = report.thinnestThrough;
+  report.thinnestShare = report.thinnestThroughShare;
   report.thinnestPlace = report.thinnestThroughPlace;
 }
 
@@ -198,8 +217,11 @@ double shareBelow(std::array<double, 3> value, double limit) {
 }
 
 // Share of S's area where the solid is less than 0.9 r deep.
-double thinShare(const TriangleMesh& surface, std::span<const double> depth, double r) {
+double thinShare(const Job& job, std::vector<double> depth) {
   constexpr double kThin = 0.9;
+  const TriangleMesh& surface = job.surface;
+  const double r = job.thickness.most();
+  for (VertexId v = 0; v < depth.size(); ++v) depth[v] *= r / job.thickness.at(v);
   double thin = 0, total = 0;
   for (const Triangle& t : surface.triangles) {
     const double area = areaOf(surface.positions, t);
@@ -210,7 +232,7 @@ double thinShare(const TriangleMesh& surface, std::span<const double> depth, dou
 }
 
 // Bodies, and those of them that are too small to be meant. A shell around a cavity has a negative volume.
-void countParts(Solid& solid, const Components& shells) {
+void countParts(Solid& solid, const Components& shells, double r) {
   constexpr double kSmall = 1e-3;  // of the largest
   const TriangleMesh& mesh = solid.mesh;
   std::vector<double> volume(shells.count, 0);
@@ -224,7 +246,7 @@ void countParts(Solid& solid, const Components& shells) {
   report.components = shells.count;
   if (volume.empty()) return;
   const double largest = *std::max_element(volume.begin(), volume.end());
-  report.crumbVolume = std::min(std::pow(report.thickness, 3), kSmall * largest);
+  report.crumbVolume = std::min(std::pow(r, 3), kSmall * largest);
   for (const double v : volume) {
     report.parts += v > 0;
     report.crumbs += v > 0 && v < report.crumbVolume;
@@ -294,8 +316,7 @@ double areaOf(const TriangleMesh& mesh) {
   return area;
 }
 
-void measure(Solid& solid, const TriangleMesh& surface, const ClosestPointTree& tree, ShellDistances known,
-             Measure what, const RunContext& context, int threads) {
+void measure(Solid& solid, const Job& job, ShellDistances known, Measure what) {
   Report& report = solid.report;
   report.triangles = solid.mesh.triangles.size();
   report.vertices = solid.mesh.positions.size();
@@ -303,21 +324,21 @@ void measure(Solid& solid, const TriangleMesh& surface, const ClosestPointTree& 
     ++(region == Region::kOriginal ? report.originalTriangles
        : region == Region::kShell  ? report.shellTriangles
                                    : report.wallTriangles);
-  countParts(solid, componentsOf(solid.mesh.positions.size(), solid.mesh.triangles, threads));
+  countParts(solid, componentsOf(solid.mesh.positions.size(), solid.mesh.triangles, job.threads),
+             job.thickness.least());
   // Sums in the order of the triangles, so that they do not depend on the threads.
-  parallelFor(2, threads, context, 1, [&](std::size_t i) {
+  parallelFor(2, job.threads, job.context, 1, [&](std::size_t i) {
     if (i == 0)
       report.volume = volumeOf(solid.mesh);
     else
       report.area = areaOf(solid.mesh);
   });
-  known = shellDistances(solid, tree, std::move(known), context, threads);
-  measureShell(solid, surface, tree, known, what, context, threads);
-  const std::vector<double> depth = depthsWithin(solid);
-  findThinnestThrough(solid, what, context, threads);
-  findThinnest(solid, known.distance, areaOf(surface));
-  report.thinShare = thinShare(surface, depth, report.thickness);
-  report.surfaceDeviation = surfaceDeviation(solid, surface);
+  known = shellDistances(solid, job, std::move(known));
+  measureShell(solid, job, known, what);
+  findThinnestThrough(solid, job, what);
+  findThinnest(solid, job, known);
+  report.thinShare = thinShare(job, depthsWithin(solid));
+  report.surfaceDeviation = surfaceDeviation(solid, job.surface);
 }
 
 }  // namespace thicken

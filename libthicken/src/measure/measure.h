@@ -6,9 +6,8 @@
 
 #include <span>
 
-#include "thicken/closest_point.h"
+#include "job.h"
 #include "thicken/result.h"
-#include "thicken/run_context.h"
 
 namespace thicken {
 
@@ -29,10 +28,9 @@ struct ShellDistances {
   std::vector<TriangleId> nearest;
 };
 
-/// Fills the output part of `solid.report` from the mesh, its regions and its depths. `surface` is S as
-/// it was thickened, `tree` its tree. `known`: what is known already, or nothing. Shell points whose closest
-/// point lies on the rim belong to the wall and do not count as shell error (paper §4.2, Remark 4).
-void measure(Solid& solid, const TriangleMesh& surface, const ClosestPointTree& tree, ShellDistances known,
-             Measure what, const RunContext& context, int threads);
+/// Fills the output part of `solid.report` from the mesh, its regions and its depths. `known`: what is known
+/// already, or nothing. Shell points whose closest point lies on the rim belong to the wall and do not count
+/// as shell error (paper §4.2, Remark 4).
+void measure(Solid& solid, const Job& job, ShellDistances known, Measure what);
 
 }  // namespace thicken

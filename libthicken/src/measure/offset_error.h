@@ -9,6 +9,7 @@
 #include <cmath>
 #include <span>
 
+#include "job.h"
 #include "mesh/topology.h"
 #include "thicken/closest_point.h"
 #include "thicken/mesh.h"
@@ -28,26 +29,32 @@ inline constexpr double kMitreLimit = 2;
 
 class OffsetError {
  public:
-  /// `surface`, `normal` (of its triangles) and `around` must outlive this. `r` in mm.
-  OffsetError(const TriangleMesh& surface, std::span<const Vec3> normal, const VertexTriangles& around,
-              double r, Join join)
-      : surface_(surface), normal_(normal), around_(around), r_(r), join_(join) {}
+  /// `job`, `normal` (of the triangles of its surface) and `around` must outlive this.
+  OffsetError(const Job& job, std::span<const Vec3> normal, const VertexTriangles& around, Join join)
+      : job_(job), normal_(normal), around_(around), join_(join) {}
 
   struct Error {
-    double mm = 0;             ///< below 0: too near to S
-    Vec3 away = Vec3::Zero();  ///< unit: the way that it grows
+    double mm = 0;                 ///< below 0: too near to S
+    Vec3 away = Vec3::Zero();      ///< unit: straight to the shell it is that far
+    Vec3 gradient = Vec3::Zero();  ///< of mm
   };
   /// Of a point `p` whose closest point on S is `c`; exact but for rounding.
   [[nodiscard]] Error at(const Vec3& p, const ClosestPoint& c) const {
+    const double r = job_.thickness.at(c);
     const Vec3 from = p - c.point;
-    const Error round{c.distance - r_, c.distance > 0 ? Vec3(from / c.distance) : Vec3(Vec3::Zero())};
-    if (join_ == Join::kRound || round.mm <= 0 || c.feature == Feature::kFace ||
-        c.distance > kMitreLimit * r_)
+    const Vec3 unit = c.distance > 0 ? Vec3(from / c.distance) : Vec3(Vec3::Zero());
+    const Error round{c.distance - r, unit, unit - job_.thickness.slope(c)};
+    if (join_ == Join::kRound || round.mm <= 0 || c.feature == Feature::kFace || c.distance > kMitreLimit * r)
       return round;
-    Error worst{-r_, round.away};
-    forPlanes(c, [&](const Vec3& n) {
-      const double far = from.dot(n);
-      if (std::abs(far) - r_ > worst.mm) worst = {std::abs(far) - r_, far < 0 ? Vec3(-n) : n};
+    // The plane of a copied triangle leans as the thickness grows: r is that of the point right above.
+    Error worst{-r, round.away, round.gradient};
+    forPlanes(c, [&](TriangleId t) {
+      const Vec3& n = normal_[t];
+      const Vec3 slope = job_.thickness.slope(t);
+      const double far = from.dot(n), own = r + slope.dot(from);
+      if (std::abs(far) - own <= worst.mm) return;
+      const Vec3 away = far < 0 ? Vec3(-n) : n;
+      worst = {std::abs(far) - own, away, away - slope};
     });
     if (worst.mm < 0) worst.mm = 0;
     return worst;
@@ -56,18 +63,17 @@ class OffsetError {
  private:
   template <class Visit>
   void forPlanes(const ClosestPoint& c, Visit visit) const {
-    const Triangle& t = surface_.triangles[c.triangle];
+    const Triangle& t = job_.surface.triangles[c.triangle];
     const VertexId a = t[c.corner], b = t[(c.corner + 1) % 3];
     for (const TriangleId s : around_.of(a)) {
-      const Triangle& other = surface_.triangles[s];
-      if (c.feature == Feature::kVertex || other[0] == b || other[1] == b || other[2] == b) visit(normal_[s]);
+      const Triangle& other = job_.surface.triangles[s];
+      if (c.feature == Feature::kVertex || other[0] == b || other[1] == b || other[2] == b) visit(s);
     }
   }
 
-  const TriangleMesh& surface_;
+  const Job& job_;
   std::span<const Vec3> normal_;
   const VertexTriangles& around_;
-  double r_;
   Join join_;
 };
 

@@ -31,7 +31,7 @@ namespace {
 
 void addThinPlaces(Report& report) {
   constexpr double kMuch = 1e-3;  // of the area; a smaller share is told only with a thin wall
-  const bool thinWall = report.thinnestWall < kThin * report.thickness;
+  const bool thinWall = report.thinnestShare < kThin;
   if (!thinWall && report.thinShare < kMuch) return;
   // Depths are known below the corners of the surface; a thin place between them has no share.
   const std::string share =
@@ -46,14 +46,22 @@ void addThinPlaces(Report& report) {
 // Two sides of the surface itself may be nearer to each other than any wall is thick: at a sharp edge.
 void addThinThrough(Report& report) {
   constexpr double kMuchThinner = 0.5;
-  if (!(report.thinnestThrough > 0 && report.thinnestThrough < kMuchThinner * report.thickness &&
-        report.thinnestThrough < kMuchThinner * report.thinnestWall))
+  if (!(report.thinnestThrough > 0 && report.thinnestThroughShare < kMuchThinner &&
+        report.thinnestThroughShare < kMuchThinner * report.thinnestShare))
     return;
   report.warnings.push_back(
       fmt::format("straight through the part it is only {:.4g} mm at {}: sharp edges and sheets that the "
                   "surface itself has "
                   "near each other are thinner than any wall below it",
                   report.thinnestThrough, text(report.thinnestThroughPlace)));
+}
+
+void addSteepness(Report& report) {
+  if (!report.thicknessMap || report.thicknessMap->lowered == 0) return;
+  report.warnings.push_back(fmt::format(
+      "the thickness changes by up to {:.3g} mm per mm along the surface, faster than 1, where the "
+      "shell would fold: it was made less below {} vertices",
+      report.thicknessMap->steepest, report.thicknessMap->lowered));
 }
 
 void addViolations(Report& report) {
@@ -110,6 +118,7 @@ std::string percentText(double share) {
 void addWarnings(Report& report) {
   if (auto repaired = repairWarning(report)) report.warnings.push_back(*std::move(repaired));
   addUnits(report);
+  addSteepness(report);
   addThinPlaces(report);
   addThinThrough(report);
   addParts(report);

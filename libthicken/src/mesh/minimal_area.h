@@ -13,9 +13,9 @@
 
 namespace thicken {
 
-/// Triangles over the vertices of `loop`, in its sense, without a chord that is in `forbidden` (by edgeKey()) and
-/// of triangles that `allowed` accepts. Empty when there is none, or when the loop is too long for
-/// the cubic cost (kLongestLoop).
+/// Triangles over the vertices of `loop`, in its sense, without a chord that is in `forbidden` (by edgeKey())
+/// and of triangles that `allowed` accepts. Empty when there is none, or when the loop is too long for the
+/// cubic cost (kLongestLoop).
 [[nodiscard]] std::vector<Triangle> minimalAreaTriangulation(
     std::span<const Vec3> positions, std::span<const VertexId> loop, const EdgeSet& forbidden,
     const std::function<bool(const Triangle&)>& allowed);

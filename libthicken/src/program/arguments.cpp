@@ -155,6 +155,9 @@ void describeSolid(CLI::App& app, Arguments& arguments) {
   app.add_option("--gap-surface", arguments.gapSurface,
                  "With --gap: write the surface that the solid begins at")
       ->type_name("FILE");
+  app.add_option("--thickness-map", arguments.thicknessMap,
+                 "Property of the vertices of a .ply surface: factors of the thickness")
+      ->type_name("NAME");
   addChoice(app, "--side", options.side, std::vector{Side::kNegative, Side::kPositive, Side::kBoth},
             "Side of the surface for the material");
   addChoice(app, "--method", options.method, std::vector{Method::kAuto, Method::kSweep, Method::kReconstruct},

@@ -15,6 +15,7 @@
 
 #include "io/sha256.h"
 #include "measure/stopwatch.h"
+#include "mesh/vertex_values.h"
 #include "platform/memory.h"
 #include "program/draw_solid.h"
 #include "program/files.h"
@@ -119,7 +120,10 @@ Made makeSheets(const Arguments& arguments, const TriangleMesh& surface, const O
       const double share = (kWriteShare - kReadShare) / static_cast<double>(sheets.size());
       context.setPart(kReadShare + share * static_cast<double>(i),
                       kReadShare + share * static_cast<double>(i + 1));
-      Solid solid = thicken(sheets[i].mesh, options, context);
+      Options own = options;
+      if (!own.thicknessMap.empty())
+        own.thicknessMap = valuesAt(surface, options.thicknessMap, sheets[i].mesh, "the thickness map");
+      Solid solid = thicken(sheets[i].mesh, own, context);
       made.meshes.push_back(std::move(solid.mesh));
       made.regions.push_back(std::move(solid.region));
       made.reports.push_back(std::move(solid.report));
@@ -148,10 +152,12 @@ Made makeSolid(const Arguments& arguments, RunContext& context, std::vector<std:
   reading.lap("read");
   Options options = arguments.options;
   options.precision = storedPrecision(arguments.output);
-  // The surface that is written has to be found in the solid bit for bit, whatever either file stores. That at a
-  // gap is of floats in either case.
+  // The surface that is written has to be found in the solid bit for bit, whatever either file stores. That
+  // at a gap is of floats in either case.
   if (!arguments.repaired.empty() && storedPrecision(arguments.repaired) == Precision::kSingle)
     options.precision = Precision::kSingle;
+  if (!arguments.thicknessMap.empty())
+    options.thicknessMap = readVertexProperty(arguments.input, arguments.thicknessMap);
   if (arguments.sheets) return makeSheets(arguments, surface, options, context);
   line.expect(forecast(sizesOf(surface), options).seconds);
   context.setPart(kReadShare, kWriteShare);
@@ -209,9 +215,15 @@ TrimmedSurface trimSurface(const Arguments& arguments, RunContext& context,
   return part;
 }
 
+std::string thicknessText(const Report& report) {
+  return report.thicknessMap
+             ? fmt::format("{:.6g} to {:.6g}", report.thicknessMap->least, report.thicknessMap->most)
+             : fmt::format("{:.6g}", report.thickness);
+}
+
 void printSummary(const std::filesystem::path& path, const Report& report) {
   std::cout << oneLine(path.string()) << ": " << report.triangles << " triangles, " << report.volume / 1000
-            << " mL, thinnest wall " << report.thinnestWall << " of " << report.thickness << " mm"
+            << " mL, thinnest wall " << report.thinnestWall << " of " << thicknessText(report) << " mm"
             << (report.parts > 1 ? ", " + std::to_string(report.parts) + " parts" : "") << '\n';
 }
 

@@ -5,7 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "measure/stopwatch.h"
 #include "mesh/half_edges.h"
 #include "mesh/sort_unique.h"
 #include "platform/memory.h"
@@ -27,66 +26,61 @@ constexpr double kLift = 0.75, kSettlingLift = 0.25;
 
 }  // namespace
 
-Attempt::Attempt(const TriangleMesh& surface, const ClosestPointTree& tree, const SweepResult& swept,
-                 const Options& options, double width, const WorkingSet& working, const Cut* cut,
-                 const RunContext& context, int threads)
-    : walls_(surface, tree, swept, options.thickness, context, threads),
-      contourer_(surface, options.thickness, width, working, cut, context, threads),
-      surface_(surface),
-      tree_(tree),
+Attempt::Attempt(const Job& job, const SweepResult& swept, double width, const WorkingSet& working,
+                 const Cut* cut)
+    : walls_(job, swept),
+      contourer_(job, width, working, cut),
+      job_(job),
       swept_(swept),
-      options_(options),
       width_(width),
       working_(working),
-      cut_(cut),
-      context_(context),
-      threads_(threads) {}
+      cut_(cut) {}
 
-std::vector<TriangleId> Attempt::run(std::span<const std::uint8_t> keep, Stopwatch& watch) {
-  context_.enter(Stage::kField);
+std::vector<TriangleId> Attempt::run(std::span<const std::uint8_t> keep) {
+  job_.context.enter(Stage::kField);
   walls_.fit(keep);
-  Carrier carrier = makeCarrier(swept_, walls_.positions(), walls_.up(), surface_.triangles.size(), keep,
-                                width_, cut_, threads_);
-  carrier.covered = coveredTriangles(surface_, swept_, keep);
-  const Membership membership(carrier.mesh, tree_, surface_.triangles.size(), options_.thickness,
-                              carrier.region, carrier.covered, threads_);
-  watch.lap("sweep");
-  Contour contour = contourer_.contour(carrier, membership, openShell(keep), watch);
+  Carrier carrier = makeCarrier(swept_, walls_.positions(), walls_.up(), job_.surface.triangles.size(), keep,
+                                width_, cut_, job_.threads);
+  carrier.covered = coveredTriangles(job_.surface, swept_, keep);
+  const Membership membership(carrier.mesh, job_.tree, job_.surface.triangles.size(), job_.thickness,
+                              carrier.region, carrier.covered, job_.threads);
+  job_.watch.lap("sweep");
+  Contour contour = contourer_.contour(carrier, membership, openShell(keep));
   // How many crossings there are was an estimate until now.
-  working_ = requireRoomForField(surface_, contour.crossings.size(), options_.thickness, width_, context_);
+  working_ = requireRoomForField(job_, contour.crossings.size(), width_);
   if (working_.isLean) returnFreedMemory();
-  context_.enter(Stage::kJoining);
-  assembly_ = assemble(carrier, contour.dual, contour.crossings, contour.ways, threads_);
-  dropSpecks(assembly_, width_, threads_);
+  job_.context.enter(Stage::kJoining);
+  assembly_ = assemble(carrier, contour.dual, contour.crossings, contour.ways, job_.threads);
+  dropSpecks(assembly_, width_, job_.threads);
   if (working_.isLean) returnFreedMemory();
-  watch.lap("faces");
-  context_.enter(Stage::kShaping);
-  const int rounds = options_.smooth.value_or(kDefaultRounds);
+  job_.watch.lap("faces");
+  job_.context.enter(Stage::kShaping);
+  const int rounds = job_.options.smooth.value_or(kDefaultRounds);
   const std::vector<Vec3> target = shapedPositions(assembly_, contour.dual, contour.crossings, membership,
-                                                   width_, rounds, context_, threads_);
-  chooseDiagonals(assembly_, contour.dual, contour.crossings, target, context_, threads_);
+                                                   width_, rounds, job_.context, job_.threads);
+  chooseDiagonals(assembly_, contour.dual, contour.crossings, target, job_.context, job_.threads);
   contour.dual = {};
   if (working_.isLean) {
     contour.crossings = std::vector<Crossing>();
     returnFreedMemory();
   }
   const std::vector<TriangleId> unsettled = settle(assembly_, target, carrier.up, kSettlingLift * width_,
-                                                   proved_, working_.triangles, context_, threads_);
+                                                   proved_, working_.triangles, job_.context, job_.threads);
   carrier_.up = std::move(carrier.up);
   std::vector<TriangleId> meeting = unsettled.empty() ? crowdedTriangles() : unsettled;
   if (meeting.empty()) {
     // In a window nothing tells whether a part is misplaced.
-    if (cut_ == nullptr) dropMisplaced(assembly_, threads_);
-    labelStrip(assembly_, threads_);
-    watch.lap("shape");
+    if (cut_ == nullptr) dropMisplaced(assembly_, job_.threads);
+    labelStrip(assembly_, job_.threads);
+    job_.watch.lap("shape");
     return meeting;
   }
   carrier_.mesh.positions = std::move(carrier.mesh.positions);
   if (!working_.isLean) {  // for the next attempt
-    proved_.replace(assembly_.mesh, unsettled, threads_);
+    proved_.replace(assembly_.mesh, unsettled, job_.threads);
     contourer_.remember(std::move(contour.crossings));
   }
-  watch.lap("shape");
+  job_.watch.lap("shape");
   return meeting;
 }
 
@@ -94,7 +88,7 @@ bool Attempt::liftWalls(std::span<const TriangleId> meeting) {
   std::vector<VertexId> ids;
   for (const TriangleId t : meeting)
     for (const VertexId v : assembly_.mesh.triangles[t])
-      if (v >= surface_.positions.size() && v < swept_.mesh.positions.size()) ids.push_back(v);
+      if (v >= job_.surface.positions.size() && v < swept_.mesh.positions.size()) ids.push_back(v);
   sortUnique(ids);
   return walls_.lift(ids, kLift * width_);
 }
@@ -102,7 +96,7 @@ bool Attempt::liftWalls(std::span<const TriangleId> meeting) {
 // Where the rim circles around an edge of the grid, strips on either side of a vertex may use the same edge.
 std::vector<TriangleId> Attempt::crowdedTriangles() const {
   std::vector<TriangleId> crowded;
-  edgesAtStrip(assembly_, threads_).forEachEdge([&](VertexId, VertexId, auto forth, auto back) {
+  edgesAtStrip(assembly_, job_.threads).forEachEdge([&](VertexId, VertexId, auto forth, auto back) {
     if (forth.size() + back.size() <= 2) return;
     for (const auto& uses : {forth, back})
       for (const HalfEdge& use : uses)
@@ -117,10 +111,10 @@ std::vector<TriangleId> Attempt::crowdedTriangles() const {
 Vec3 Attempt::pushedToShell(const Vec3& from) const {
   constexpr int kMostSteps = 16;
   constexpr double kClose = 0.01;
-  const double r = options_.thickness;
   Vec3 p = from;
   for (int step = 0; step < kMostSteps; ++step) {
-    const auto c = tree_.closest(p);
+    const auto c = job_.tree.closest(p);
+    const double r = job_.thickness.at(*c);
     if (!(c->distance > 0) || c->distance > (1 - kClose) * r) break;
     p = c->point + (r / c->distance) * (p - c->point);
   }

@@ -11,7 +11,6 @@
 #include "reconstruct/contourer.h"
 #include "reconstruct/deep_walls.h"
 #include "reconstruct/settle.h"
-#include "thicken/options.h"
 
 namespace thicken {
 
@@ -19,14 +18,12 @@ class Attempt {
  public:
   /// All arguments by reference must outlive the attempt. `width` is the cells', mm; `cut` where `swept` is a
   /// window of a boundary, else null.
-  Attempt(const TriangleMesh& surface, const ClosestPointTree& tree, const SweepResult& swept,
-          const Options& options, double width, const WorkingSet& working, const Cut* cut,
-          const RunContext& context, int threads);
+  Attempt(const Job& job, const SweepResult& swept, double width, const WorkingSet& working, const Cut* cut);
 
   /// Makes the boundary from the triangles of the sweep that `keep` marks (S's among them). Returns the
   /// triangles of assembly() that meet others, ascending; none: it is done. Throws kNoSolid where a contour
   /// would leave the zone of its window.
-  [[nodiscard]] std::vector<TriangleId> run(std::span<const std::uint8_t> keep, Stopwatch& watch);
+  [[nodiscard]] std::vector<TriangleId> run(std::span<const std::uint8_t> keep);
 
   /// Gives the contour room at the ends of the walls that triangles meet at. Returns whether it could.
   bool liftWalls(std::span<const TriangleId> meeting);
@@ -47,15 +44,11 @@ class Attempt {
 
   DeepWalls walls_;
   Contourer contourer_;
-  const TriangleMesh& surface_;
-  const ClosestPointTree& tree_;
+  const Job& job_;
   const SweepResult& swept_;
-  const Options& options_;
   double width_;
   WorkingSet working_;
   const Cut* cut_;
-  const RunContext& context_;
-  int threads_;
   std::vector<Vec3> pushed_;  ///< per vertex of the sweep, as far as an attempt asked for it; else infinite
   ProvedTriangles proved_;
   Assembly assembly_;

@@ -40,43 +40,43 @@ void requireMemory(std::size_t crossings, std::size_t held, double r, double wid
 
 }  // namespace
 
-bool hasRoomForField(const TriangleMesh& surface, std::size_t crossings, const RunContext& context) {
-  const std::size_t limit = context.memoryLimit();
-  return limit == 0 || heldBytes(surface) + leanBytes(crossings) <= limit;
+bool hasRoomForField(const Job& job, std::size_t crossings) {
+  const std::size_t limit = job.context.memoryLimit();
+  return limit == 0 || heldBytes(job.surface) + leanBytes(crossings) <= limit;
 }
 
-void requireCells(const TriangleMesh& surface, double r, double width) {
-  const Bounds b = boundsOf(surface);
-  const double longest = (b.high - b.low).maxCoeff() + 2 * r + 8 * width;
+void requireCells(const Job& job, double width) {
+  const Bounds b = boundsOf(job.surface);
+  const double longest = (b.high - b.low).maxCoeff() + 2 * job.thickness.most() + 8 * width;
   if (longest / width < UniformGrid::kMostCells) return;
   throw Error(
       ErrorCode::kNoSolid,
       fmt::format("cells of {:.4g} mm would be more than {} in a row, and the thickness of {:.4g} mm asks "
                   "for cells below its half (Remark 1 of the paper); use the method sweep, or ask for a "
                   "larger thickness",
-                  width, UniformGrid::kMostCells, r));
+                  width, UniformGrid::kMostCells, job.thickness.least()));
 }
 
-WorkingSet requireRoomForField(const TriangleMesh& surface, std::size_t crossings, double r, double width,
-                               const RunContext& context) {
-  requireCells(surface, r, width);
-  const std::size_t held = heldBytes(surface);
-  requireMemory(crossings, held, r, width, context);
-  return workingSetFor(crossings, held, context);
+WorkingSet requireRoomForField(const Job& job, std::size_t crossings, double width) {
+  requireCells(job, width);
+  const std::size_t held = heldBytes(job.surface);
+  requireMemory(crossings, held, job.thickness.least(), width, job.context);
+  return workingSetFor(crossings, held, job.context);
 }
 
-double widthWithRoom(const TriangleMesh& surface, std::size_t crossings, double width, const Options& options,
-                     const RunContext& context) {
-  if (options.cell || options.resolution || options.tolerance || hasRoomForField(surface, crossings, context))
+double widthWithRoom(const Job& job, std::size_t crossings, double width) {
+  const Options& options = job.options;
+  if (options.cell || options.resolution || options.tolerance || hasRoomForField(job, crossings))
     return width;
-  return widthThatFits(crossings, heldBytes(surface), width, context.memoryLimit());
+  return widthThatFits(crossings, heldBytes(job.surface), width, job.context.memoryLimit());
 }
 
-double cellWidth(const TriangleMesh& surface, double area, const Options& options, double mostCells) {
-  const double r = options.thickness;
+double cellWidth(const Job& job, double area, double mostCells) {
+  const Options& options = job.options;
+  const double r = job.thickness.least();
   if (options.cell) return *options.cell;
-  const Bounds b = boundsOf(surface);
-  const double longest = (b.high - b.low).maxCoeff() + 2 * r;
+  const Bounds b = boundsOf(job.surface);
+  const double longest = (b.high - b.low).maxCoeff() + 2 * job.thickness.most();
   if (options.resolution) {
     const double w = longest / *options.resolution;
     if (w >= r / 2)
@@ -103,17 +103,19 @@ std::size_t mostCrossings(double area, double width) {
   return static_cast<std::size_t>(std::min(1e15, kCrossings * area / (width * width)));
 }
 
-double shellShadows(const TriangleMesh& surface, double r, int threads) {
+double shellShadows(const Job& job) {
+  const TriangleMesh& surface = job.surface;
   // A triangle crosses as many lines of the grid as its shadows along the axes are large. The shell's is that
   // of S with its vertices moved along their normals, less what turns over, which other parts of S cut off.
-  const auto normal = vertexNormals(surface.positions, surface.triangles,
-                                    faceNormals(surface.positions, surface.triangles, threads), threads);
+  const auto normal =
+      vertexNormals(surface.positions, surface.triangles,
+                    faceNormals(surface.positions, surface.triangles, job.threads), job.threads);
   double shadows = 0;
   for (const Triangle& t : surface.triangles) {
     std::array<Vec3, 3> p, q;
     for (int k = 0; k < 3; ++k) {
       p[k] = surface.positions[t[k]];
-      q[k] = p[k] - r * normal[t[k]];
+      q[k] = p[k] - job.thickness.at(t[k]) * normal[t[k]];
     }
     const Vec3 area = (q[1] - q[0]).cross(q[2] - q[0]) / 2;
     if (area.dot((p[1] - p[0]).cross(p[2] - p[0])) > 0) shadows += area.cwiseAbs().sum();
@@ -124,10 +126,6 @@ double shellShadows(const TriangleMesh& surface, double r, int threads) {
 std::size_t mostShellCrossings(double shadows, double width) {
   constexpr double kMargin = 1.1;
   return static_cast<std::size_t>(std::min(1e15, kMargin * shadows / (width * width)));
-}
-
-std::size_t mostShellCrossings(const TriangleMesh& surface, double r, double width, int threads) {
-  return mostShellCrossings(shellShadows(surface, r, threads), width);
 }
 
 std::size_t heldBytes(const TriangleMesh& surface) {

@@ -23,10 +23,8 @@ std::vector<TriangleId> meetingIn(const Assembly& assembly, std::span<const Tria
 
 }  // namespace
 
-Closing closedFiner(const TriangleMesh& surface, const SweepResult& swept, const ContourTask& task,
-                    const Attempt& attempt, std::span<const TriangleId> meeting, std::vector<Bounds>& givenUp,
-                    Complete& complete, const Options& options, const RunContext& context, int threads,
-                    Stopwatch& watch) {
+Closing closedFiner(const Job& job, const SweepResult& swept, const ContourTask& task, const Attempt& attempt,
+                    std::span<const TriangleId> meeting, std::vector<Bounds>& givenUp, Complete& complete) {
   constexpr double kFiner = 0.5;
   constexpr std::size_t kCarriedBytes = 700;  // for each triangle of the carrier beyond S
   constexpr int kMostTimes = 5;
@@ -38,10 +36,10 @@ Closing closedFiner(const TriangleMesh& surface, const SweepResult& swept, const
   if (task.refined == kMostTimes || isHopeless) return closing;
   WindowTask finer;
   finer.complete = &complete;
-  finer.held =
-      heldBytes(surface) + kCarriedBytes * (assembly.mesh.triangles.size() - surface.triangles.size());
-  if (const std::size_t limit = context.memoryLimit(); limit != 0 && finer.held > limit) return closing;
-  const auto holes = holesOf(surface, swept, attempt, task, meeting, context, threads);
+  finer.held = heldBytes(job.surface) +
+               kCarriedBytes * (assembly.mesh.triangles.size() - job.surface.triangles.size());
+  if (const std::size_t limit = job.context.memoryLimit(); limit != 0 && finer.held > limit) return closing;
+  const auto holes = holesOf(job, swept, attempt, task, meeting);
   if (!holes) return closing;
   finer.width = kFiner * task.width;
   finer.refined = task.refined + 1;
@@ -51,10 +49,10 @@ Closing closedFiner(const TriangleMesh& surface, const SweepResult& swept, const
   finer.meetingIn = [&](const Bounds& zone) { return meetingIn(assembly, meeting, {&zone, 1}).size(); };
   std::vector<Bounds> stuck;
   if (const auto there = meetingIn(assembly, meeting, givenUp); there.empty()) {
-    InWindows in = completeInWindows(surface, *holes, finer, options, context, threads, watch);
+    InWindows in = completeInWindows(job, *holes, finer);
     if (in.windows.empty()) return closing;
     if (in.stuck.empty()) {
-      Reconstruction made = withWindows(surface, *holes, in.windows, in.made);
+      Reconstruction made = withWindows(job.surface, *holes, in.windows, in.made);
       if (!std::all_of(in.made.begin(), in.made.end(), [](const auto& own) { return own.has_value(); }))
         return closing;
       for (VertexId& v : made.origin)

@@ -22,10 +22,8 @@ struct Closing {
 /// What `attempt` at `task` could not make, in finer cells: the rest of it is the carrier for that. Zones
 /// where even the finest ones that are tried do not do are added to `givenUp`, and are not tried again.
 /// Throws kCancelled.
-[[nodiscard]] Closing closedFiner(const TriangleMesh& surface, const SweepResult& swept,
-                                  const ContourTask& task, const Attempt& attempt,
-                                  std::span<const TriangleId> meeting, std::vector<Bounds>& givenUp,
-                                  Complete& complete, const Options& options, const RunContext& context,
-                                  int threads, Stopwatch& watch);
+[[nodiscard]] Closing closedFiner(const Job& job, const SweepResult& swept, const ContourTask& task,
+                                  const Attempt& attempt, std::span<const TriangleId> meeting,
+                                  std::vector<Bounds>& givenUp, Complete& complete);
 
 }  // namespace thicken

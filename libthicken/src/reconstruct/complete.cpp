@@ -115,27 +115,19 @@ std::size_t allowanceFor(std::size_t triangles) {
 
 class Completion {
  public:
-  Completion(const TriangleMesh& surface, const ClosestPointTree& tree, const SweepResult& swept,
-             ContourTask task, const Options& options, const RunContext& context, int threads,
-             Stopwatch& watch)
-      : surface_(surface),
-        tree_(tree),
+  Completion(const Job& job, const SweepResult& swept, ContourTask task)
+      : job_(job),
         swept_(swept),
         task_(filledIn(std::move(task), swept)),
-        options_(options),
-        context_(context),
-        threads_(threads),
-        watch_(watch),
-        shell_(swept, task_.openable, std::move(task_.keep), task_.width, threads),
-        attempt_(surface, tree, swept, options, task_.width, task_.working, task_.cut ? &*task_.cut : nullptr,
-                 context, threads) {
+        shell_(swept, task_.openable, std::move(task_.keep), task_.width, job.threads),
+        attempt_(job, swept, task_.width, task_.working, task_.cut ? &*task_.cut : nullptr) {
     if (!task_.left.empty()) return;
     for (const std::uint8_t isKept : shell_.keep()) task_.left.push_back(isKept == 0);
   }
 
   std::optional<Reconstruction> run() {
     for (;; ++round_) {
-      const std::vector<TriangleId> meeting = attempt_.run(shell_.keep(), watch_);
+      const std::vector<TriangleId> meeting = attempt_.run(shell_.keep());
       if (meeting.empty()) return told(finished());
       pay(meeting.size());
       // Where little meets, windows around that cost less than all of it once more.
@@ -158,8 +150,7 @@ class Completion {
   // What meets in finer cells, where the allowance is not spent.
   Closing madeFiner(const std::vector<TriangleId>& meeting) {
     if (spent_) return {std::nullopt, meeting};
-    Closing closing = closedFiner(surface_, swept_, task_, attempt_, meeting, givenUp_, complete, options_,
-                                  context_, threads_, watch_);
+    Closing closing = closedFiner(job_, swept_, task_, attempt_, meeting, givenUp_, complete);
     if (closing.made) closing.made = told(closed(*std::move(closing.made)));
     return closing;
   }
@@ -187,17 +178,16 @@ class Completion {
   }
 
   Reconstruction finished() {
-    Reconstruction result = finish(attempt_, surface_, swept_, task_);
-    if (!task_.cut)
-      result.depth = depthsOf(swept_, shell_.keep(), surface_, tree_, options_.thickness, context_, threads_);
+    Reconstruction result = finish(attempt_, job_.surface, swept_, task_);
+    if (!task_.cut) result.depth = depthsOf(job_, swept_, shell_.keep());
     result.finest = task_.width;
     return result;
   }
 
   Reconstruction closed(Reconstruction made) const {
     if (task_.cut) return made;
-    dropMisplaced(made, surface_.positions.size(), threads_);
-    made.depth = depthsOf(made, surface_, tree_, options_.thickness, context_, threads_);
+    dropMisplaced(made, job_.surface.positions.size(), job_.threads);
+    made.depth = depthsOf(job_, made);
     return made;
   }
 
@@ -206,19 +196,14 @@ class Completion {
     made.cell = task_.width;
     made.cells += attempt_.field().cells();
     made.nodes += attempt_.field().nodes();
-    made.predicted = std::max(made.predicted, predictedBytes(task_, surface_, context_));
+    made.predicted = std::max(made.predicted, predictedBytes(task_, job_.surface, job_.context));
     made.shellArea = shell_.openAtFirst();
     return made;
   }
 
-  const TriangleMesh& surface_;
-  const ClosestPointTree& tree_;
+  const Job& job_;
   const SweepResult& swept_;
   ContourTask task_;
-  const Options& options_;
-  const RunContext& context_;
-  int threads_;
-  Stopwatch& watch_;
   CarrierShell shell_;
   Attempt attempt_;
   std::size_t round_ = 0;
@@ -232,10 +217,8 @@ class Completion {
 
 }  // namespace
 
-std::optional<Reconstruction> complete(const TriangleMesh& surface, const ClosestPointTree& tree,
-                                       const SweepResult& swept, ContourTask task, const Options& options,
-                                       const RunContext& context, int threads, Stopwatch& watch) {
-  return Completion(surface, tree, swept, std::move(task), options, context, threads, watch).run();
+std::optional<Reconstruction> complete(const Job& job, const SweepResult& swept, ContourTask task) {
+  return Completion(job, swept, std::move(task)).run();
 }
 
 }  // namespace thicken

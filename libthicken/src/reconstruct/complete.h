@@ -12,10 +12,7 @@ namespace thicken {
 
 /// The solid of a carrier that is `task.keep` of `swept`; nullopt where it would need more of the sweep's
 /// shell and must not have it. Throws kNoSolid where not even the whole sweep is clear of itself, kCancelled.
-[[nodiscard]] std::optional<Reconstruction> complete(const TriangleMesh& surface,
-                                                     const ClosestPointTree& tree, const SweepResult& swept,
-                                                     ContourTask task, const Options& options,
-                                                     const RunContext& context, int threads,
-                                                     Stopwatch& watch);
+[[nodiscard]] std::optional<Reconstruction> complete(const Job& job, const SweepResult& swept,
+                                                     ContourTask task);
 
 }  // namespace thicken

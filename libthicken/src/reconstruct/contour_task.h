@@ -6,16 +6,13 @@
 #include <optional>
 #include <vector>
 
+#include "job.h"
 #include "reconstruct/cut.h"
 #include "reconstruct/reconstruction.h"
 #include "reconstruct/working_set.h"
 #include "sweep/sweep.h"
-#include "thicken/closest_point.h"
-#include "thicken/options.h"
 
 namespace thicken {
-
-class Stopwatch;
 
 /// What is to be contoured below a carrier.
 struct ContourTask {
@@ -35,9 +32,6 @@ struct ContourTask {
 };
 
 /// How a task is completed: complete() does. What is completed in parts is given it.
-using Complete = std::optional<Reconstruction>(const TriangleMesh& surface, const ClosestPointTree& tree,
-                                               const SweepResult& swept, ContourTask task,
-                                               const Options& options, const RunContext& context, int threads,
-                                               Stopwatch& watch);
+using Complete = std::optional<Reconstruction>(const Job& job, const SweepResult& swept, ContourTask task);
 
 }  // namespace thicken

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <iterator>
 
-#include "measure/stopwatch.h"
 #include "mesh/bounds.h"
 #include "parallel/parallel_for.h"
 #include "platform/memory.h"
@@ -58,22 +57,14 @@ std::vector<GridIndex> rimCells(const std::vector<RimWay>& ways) {
 
 }  // namespace
 
-Contourer::Contourer(const TriangleMesh& surface, double thickness, double width, const WorkingSet& working,
-                     const Cut* cut, const RunContext& context, int threads)
-    : surface_(surface),
-      thickness_(thickness),
-      width_(width),
-      working_(working),
-      cut_(cut),
-      context_(context),
-      threads_(threads) {}
+Contourer::Contourer(const Job& job, double width, const WorkingSet& working, const Cut* cut)
+    : job_(job), width_(width), working_(working), cut_(cut) {}
 
-Contour Contourer::contour(const Carrier& carrier, const Membership& membership, const Seeds& seeds,
-                           Stopwatch& watch) {
+Contour Contourer::contour(const Carrier& carrier, const Membership& membership, const Seeds& seeds) {
   for (;;) {
     try {
       if (!field_) startGrid();
-      return attempt(carrier, membership, seeds, watch);
+      return attempt(carrier, membership, seeds);
     } catch (const GridTouches&) {
       if (shifts_ == kMostShifts)
         throw Error(ErrorCode::kNoSolid,
@@ -84,20 +75,19 @@ Contour Contourer::contour(const Carrier& carrier, const Membership& membership,
 }
 
 void Contourer::startGrid() {
-  grid_ = gridFor(surface_, thickness_, width_, ++shifts_);
-  onSurface_.emplace(grid_, surface_.positions, surface_.triangles, threads_);
+  grid_ = gridFor(job_.surface, job_.thickness.most(), width_, ++shifts_);
+  onSurface_.emplace(grid_, job_.surface.positions, job_.surface.triangles, job_.threads);
   field_.emplace(grid_, working_.nodes);
   beyondSurface_.clear();
-  covered_.assign(surface_.triangles.size(), 0);
+  covered_.assign(job_.surface.triangles.size(), 0);
   changed_.reset();
   last_.clear();
 }
 
-Contour Contourer::attempt(const Carrier& carrier, const Membership& membership, const Seeds& seeds,
-                           Stopwatch& watch) {
+Contour Contourer::attempt(const Carrier& carrier, const Membership& membership, const Seeds& seeds) {
   const std::span<const Triangle> beyond =
-      std::span(carrier.mesh.triangles).subspan(surface_.triangles.size());
-  const SurfaceCrossings onRest(grid_, carrier.mesh.positions, beyond, threads_);
+      std::span(carrier.mesh.triangles).subspan(job_.surface.triangles.size());
+  const SurfaceCrossings onRest(grid_, carrier.mesh.positions, beyond, job_.threads);
   const CarrierCrossings crossed(*onSurface_, onRest);
   Contour made;
   made.ways = rimWays(grid_, carrier.mesh.positions, carrier.rim);
@@ -112,11 +102,11 @@ Contour Contourer::attempt(const Carrier& carrier, const Membership& membership,
     return crossing;
   };
   made.crossings = followContour(grid_, rimCells(made.ways), seeds, crossed, membership, *field_, placing,
-                                 context_, threads_);
+                                 job_.context, job_.threads);
   if (working_.isLean) returnFreedMemory();
-  watch.lap("field");
-  context_.enter(Stage::kContouring);
-  made.dual = dualSurface(made.crossings, made.ways, carrier.mesh.positions, threads_);
+  job_.watch.lap("field");
+  job_.context.enter(Stage::kContouring);
+  made.dual = dualSurface(made.crossings, made.ways, carrier.mesh.positions, job_.threads);
   return made;
 }
 
@@ -134,13 +124,13 @@ void Contourer::forgetChanges(std::vector<Corners> beyondSurface, std::span<cons
   std::set_symmetric_difference(beyondSurface.begin(), beyondSurface.end(), beyondSurface_.begin(),
                                 beyondSurface_.end(), std::back_inserter(changes), before);
   beyondSurface_ = std::move(beyondSurface);
-  std::vector<std::uint8_t> marked(surface_.triangles.size(), 0);
+  std::vector<std::uint8_t> marked(job_.surface.triangles.size(), 0);
   for (std::size_t t = 0; t < marked.size(); ++t) marked[t] = covered_[t] != covered[t];
   covered_.assign(covered.begin(), covered.end());
   changed_.reset();
   if (changes.empty() || field_->size() == 0) return;
   changed_.emplace(meshOf(changes));
-  field_->forget(*changed_, marked, context_, threads_);
+  field_->forget(*changed_, marked, job_.context, job_.threads);
 }
 
 // Where a part was crossed the last time, if the changes are too far from there to have moved it.
@@ -151,7 +141,7 @@ const Crossing* Contourer::recalled(const EdgePart& part) const {
                               [](const Crossing& c, std::uint64_t edge) { return c.edge < edge; });
   while (old != last_.end() && old->edge == part.edge && old->at[axis] < part.from) ++old;
   if (old == last_.end() || old->edge != part.edge || old->at[axis] > part.to || old->jump != part.jump ||
-      (changed_ && changed_->closest(old->at, kSure * thickness_)))
+      (changed_ && changed_->closest(old->at, kSure * job_.thickness.most())))
     return nullptr;
   return &*old;
 }

@@ -12,12 +12,11 @@
 #include "contour/dual_surface.h"
 #include "contour/follow.h"
 #include "field/node_field.h"
+#include "job.h"
 #include "reconstruct/carrier.h"
 #include "reconstruct/working_set.h"
 
 namespace thicken {
-
-class Stopwatch;
 
 struct Contour {
   std::vector<Crossing> crossings;
@@ -27,15 +26,13 @@ struct Contour {
 
 class Contourer {
  public:
-  /// `surface` and `cut` (null: none) must outlive the contourer.
-  Contourer(const TriangleMesh& surface, double thickness, double width, const WorkingSet& working,
-            const Cut* cut, const RunContext& context, int threads);
+  /// `job` and `cut` (null: none) must outlive the contourer.
+  Contourer(const Job& job, double width, const WorkingSet& working, const Cut* cut);
 
   /// The contour of what lies in H and is not closed off by `carrier`, whose first triangles are those of
   /// the surface. `seeds` are for parts of it that hang together with no rim. Throws kNoSolid where it leaves
   /// the zone of the cut.
-  [[nodiscard]] Contour contour(const Carrier& carrier, const Membership& membership, const Seeds& seeds,
-                                Stopwatch& watch);
+  [[nodiscard]] Contour contour(const Carrier& carrier, const Membership& membership, const Seeds& seeds);
 
   /// Keeps where the crossings of the last contour lie, for the next one.
   void remember(std::vector<Crossing> crossings);
@@ -48,17 +45,14 @@ class Contourer {
   using Corners = std::array<Vec3, 3>;
 
   void startGrid();
-  [[nodiscard]] Contour attempt(const Carrier& carrier, const Membership& membership, const Seeds& seeds,
-                                Stopwatch& watch);
+  [[nodiscard]] Contour attempt(const Carrier& carrier, const Membership& membership, const Seeds& seeds);
   void forgetChanges(std::vector<Corners> beyondSurface, std::span<const std::uint8_t> covered);
   [[nodiscard]] const Crossing* recalled(const EdgePart& part) const;
 
-  const TriangleMesh& surface_;
-  double thickness_, width_;
+  const Job& job_;
+  double width_;
   WorkingSet working_;
   const Cut* cut_;
-  const RunContext& context_;
-  int threads_;
   int shifts_ = -1;
   UniformGrid grid_;
   std::optional<SurfaceCrossings> onSurface_;

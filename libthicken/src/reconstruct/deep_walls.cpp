@@ -29,21 +29,16 @@ constexpr int kMostLifts = 4;
 
 }  // namespace
 
-DeepWalls::DeepWalls(const TriangleMesh& surface, const ClosestPointTree& tree, const SweepResult& swept,
-                     double thickness, const RunContext& context, int threads)
-    : surface_(surface),
-      tree_(tree),
+DeepWalls::DeepWalls(const Job& job, const SweepResult& swept)
+    : job_(job),
       swept_(swept),
-      thickness_(thickness),
-      context_(context),
-      threads_(threads),
       lifts_(swept.mesh.positions.size(), 0),
       base_(lifts_.size(), kNone),
       way_(base_.size(), 0),
       share_(base_.size(), 0),
       at_(swept.mesh.positions) {
   listBottom();
-  parallelFor(low_.size(), threads, context, 64, [&](std::size_t i) {
+  parallelFor(low_.size(), job_.threads, job_.context, 64, [&](std::size_t i) {
     way_[low_[i]] = deepest(low_[i], base_[low_[i]]);
     share_[low_[i]] = 1;
   });
@@ -58,7 +53,7 @@ void DeepWalls::listBottom() {
     if (swept_.region[t] == Region::kWall) walls.push_back(swept_.mesh.triangles[t]);
   for (const Triangle& wall : walls)
     for (const VertexId v : wall)
-      if (v >= surface_.positions.size() && base_[v] == kNone && swept_.base[v] != kNone) {
+      if (v >= job_.surface.positions.size() && base_[v] == kNone && swept_.base[v] != kNone) {
         base_[v] = swept_.base[v];
         low_.push_back(v);
       }
@@ -75,9 +70,11 @@ void DeepWalls::shorten() {
   std::vector<std::array<VertexId, 2>> spans = bottomEdges_;
   for (const VertexId v : low_) spans.push_back({v, v});
   std::vector<double> share(spans.size(), 1);
-  parallelFor(spans.size(), threads_, context_, 64, [&](std::size_t i) {
-    const double d = tree_.distance((at_[spans[i][0]] + at_[spans[i][1]]) / 2);
-    if (d > kEnd * thickness_) share[i] = kEnd * thickness_ / d;
+  parallelFor(spans.size(), job_.threads, job_.context, 64, [&](std::size_t i) {
+    const Vec3 middle = (at_[spans[i][0]] + at_[spans[i][1]]) / 2;
+    const ClosestPoint c = *job_.tree.closest(middle);
+    const double d = c.distance, end = kEnd * job_.thickness.at(c);
+    if (d > end) share[i] = end / d;
   });
   std::vector<double> least(way_.size(), 1);
   for (std::size_t i = 0; i < spans.size(); ++i)
@@ -91,19 +88,19 @@ void DeepWalls::shorten() {
 
 // How far the copy of `base` may go on in its direction and still gain distance, up to r.
 double DeepWalls::deepest(VertexId low, VertexId base) const {
-  const Vec3& from = surface_.positions[base];
+  const Vec3& from = job_.surface.positions[base];
   const Vec3 whole = swept_.mesh.positions[low] - from;
   const double way = whole.norm();
-  const double gain = swept_.distance[low] / way;
+  const double gain = swept_.distance[low] / way, r = job_.thickness.at(base);
   if (!(way > 0)) return way;
-  if (gain * way >= kFull * thickness_) return way * kEnd * thickness_ / (gain * way);
+  if (gain * way >= kFull * r) return way * kEnd * r / (gain * way);
   if (gain < 0.2) return way;
   const Vec3 direction = whole / way;
-  const double end = kEnd * thickness_ / gain;
+  const double end = kEnd * r / gain;
   double good = way;
   for (double next = std::min(end, way * kStep); next > good; next = std::min(end, next * kStep)) {
     const Vec3 p = from + next * direction;
-    const auto c = tree_.closest(p);
+    const auto c = job_.tree.closest(p);
     const bool behind = c->onRim || (p - c->point).dot(c->pseudonormal) < 0;
     if (!behind || c->distance < kKeep * gain * next) break;
     good = next;
@@ -115,7 +112,8 @@ void DeepWalls::limitSlope() {
   for (bool changed = true; changed;) {
     changed = false;
     for (const auto& [a, b] : bottomEdges_) {
-      const double slack = kSlope * (surface_.positions[base_[a]] - surface_.positions[base_[b]]).norm();
+      const double slack =
+          kSlope * (job_.surface.positions[base_[a]] - job_.surface.positions[base_[b]]).norm();
       for (const auto& [low, high] : {std::pair{a, b}, std::pair{b, a}}) {
         const double most = way_[low] + slack;
         if (way_[high] <= most * (1 + 1e-9)) continue;
@@ -127,7 +125,7 @@ void DeepWalls::limitSlope() {
 }
 
 void DeepWalls::place(VertexId v) {
-  const Vec3& from = surface_.positions[base_[v]];
+  const Vec3& from = job_.surface.positions[base_[v]];
   const Vec3& there = swept_.mesh.positions[v];
   const double way = (there - from).norm();
   at_[v] = share_[v] == 0 ? there : roundToFloat(there + share_[v] * (way_[v] - way) / way * (there - from));
@@ -140,7 +138,7 @@ void DeepWalls::placeAll() {
 std::vector<Vec3> DeepWalls::up() const {
   std::vector<Vec3> up = swept_.up;
   up.resize(at_.size(), Vec3::Zero());
-  for (const VertexId v : low_) up[v] = surface_.positions[base_[v]] - at_[v];
+  for (const VertexId v : low_) up[v] = job_.surface.positions[base_[v]] - at_[v];
   return up;
 }
 
@@ -179,9 +177,9 @@ std::pair<std::vector<Triangle>, std::size_t> DeepWalls::nearWalls(std::span<con
         reach.push_back({v, base_[v], corners[(k + 1) % 3]});
   }
   const std::size_t walls = near.size();
-  const exact::BoxTree tree(at_, reach, threads_);
+  const exact::BoxTree tree(at_, reach, job_.threads);
   std::vector<std::uint8_t> isNear(others.size(), 0);
-  parallelFor(others.size(), threads_, context_, 1024, [&](std::size_t i) {
+  parallelFor(others.size(), job_.threads, job_.context, 1024, [&](std::size_t i) {
     Bounds own;
     for (const VertexId v : others[i]) own.add(at_[v]);
     isNear[i] = !tree.near(own.low, own.high).empty();
@@ -206,9 +204,9 @@ void DeepWalls::fit(std::span<const std::uint8_t> keep) {
   std::vector<std::uint8_t> fixed(triangles.size(), 1);
   std::fill_n(fixed.begin(), walls, std::uint8_t{0});
   for (int round = 0; round <= kHalvings; ++round) {
-    const exact::BoxTree tree(at_, triangles, threads_);
+    const exact::BoxTree tree(at_, triangles, job_.threads);
     std::vector<TriangleId> bad;
-    for (const auto& [a, b] : tree.meetingPairs(at_, triangles, fixed, context_, threads_)) {
+    for (const auto& [a, b] : tree.meetingPairs(at_, triangles, fixed, job_.context, job_.threads)) {
       bad.push_back(a);
       bad.push_back(b);
     }

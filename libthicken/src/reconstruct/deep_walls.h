@@ -9,15 +9,14 @@
 #include <utility>
 #include <vector>
 
+#include "job.h"
 #include "reconstruct/carrier.h"
-#include "thicken/closest_point.h"
 
 namespace thicken {
 
 class DeepWalls {
  public:
-  DeepWalls(const TriangleMesh& surface, const ClosestPointTree& tree, const SweepResult& swept,
-            double thickness, const RunContext& context, int threads);
+  DeepWalls(const Job& job, const SweepResult& swept);
 
   /// Places the walls' lower vertices as deep as exact tests against S, each other and the kept pieces
   /// of shell (whose own vertices stay where the sweep has them) allow. Never deeper than before.
@@ -43,12 +42,8 @@ class DeepWalls {
   void place(VertexId v);
   void placeAll();
 
-  const TriangleMesh& surface_;
-  const ClosestPointTree& tree_;
+  const Job& job_;
   const SweepResult& swept_;
-  double thickness_;
-  const RunContext& context_;
-  int threads_;
   bool fitted_ = false;
   std::vector<VertexId> low_;                         ///< lower vertices of the walls
   std::vector<std::array<VertexId, 2>> bottomEdges_;  ///< between two of them that one wall triangle has

@@ -19,22 +19,25 @@ constexpr double kUnknown = std::numeric_limits<double>::infinity();
 // it is the wall that ends there, if the way down to it is about as long as the rim is far; a rim that is
 // nearer is another part's, beyond the end of the field.
 // `known`: the depth of vertices that need not be looked at; else infinite. Empty: none is known.
-std::vector<double> fieldDepths(const TriangleMesh& surface, const ClosestPointTree& tree, double r,
-                                const RunContext& context, int threads, std::vector<double> known = {}) {
-  const auto normal = vertexNormals(surface.positions, surface.triangles,
-                                    faceNormals(surface.positions, surface.triangles, threads), threads);
+std::vector<double> fieldDepths(const Job& job, std::vector<double> known = {}) {
+  const TriangleMesh& surface = job.surface;
+  const auto normal =
+      vertexNormals(surface.positions, surface.triangles,
+                    faceNormals(surface.positions, surface.triangles, job.threads), job.threads);
   std::vector<double> depth = std::move(known);
   depth.resize(surface.positions.size(), kUnknown);
   constexpr int kSteps = 5;
   constexpr double kOwnRim = 0.9;
-  parallelFor(depth.size(), threads, context, 128, [&](std::size_t v) {
+  parallelFor(depth.size(), job.threads, job.context, 128, [&](std::size_t v) {
     if (depth[v] != kUnknown) return;
+    const double r = job.thickness.at(static_cast<VertexId>(v));
     double good = 0, bad = r;
     for (int i = 0; i < kSteps; ++i) {
       const double h = i == 0 ? 0.95 * r : (good + bad) / 2;
       const Vec3 p = surface.positions[v] - h * normal[v];
-      const auto c = tree.closest(p);
-      const bool inside = c->onRim ? c->distance >= kOwnRim * h : insideThickened(p, *c, r);
+      const auto c = job.tree.closest(p);
+      const bool inside =
+          c->onRim ? c->distance >= kOwnRim * h : insideThickened(p, *c, job.thickness.at(*c));
       (inside ? good : bad) = h;
       if (i == 0 && inside) break;
     }
@@ -45,11 +48,9 @@ std::vector<double> fieldDepths(const TriangleMesh& surface, const ClosestPointT
 
 }  // namespace
 
-std::vector<double> depthsOf(const SweepResult& swept, std::span<const std::uint8_t> keep,
-                             const TriangleMesh& surface, const ClosestPointTree& tree, double r,
-                             const RunContext& context, int threads) {
-  std::vector<double> depth = fieldDepths(surface, tree, r, context, threads);
-  for (std::size_t t = surface.triangles.size(); t < keep.size(); ++t) {
+std::vector<double> depthsOf(const Job& job, const SweepResult& swept, std::span<const std::uint8_t> keep) {
+  std::vector<double> depth = fieldDepths(job);
+  for (std::size_t t = job.surface.triangles.size(); t < keep.size(); ++t) {
     if (!keep[t] || swept.region[t] != Region::kShell) continue;
     for (const VertexId v : swept.mesh.triangles[t]) {
       if (swept.base[v] == kNone) continue;
@@ -60,27 +61,24 @@ std::vector<double> depthsOf(const SweepResult& swept, std::span<const std::uint
   return depth;
 }
 
-std::vector<double> depthsOf(const Reconstruction& made, const TriangleMesh& surface,
-                             const ClosestPointTree& tree, double r, const RunContext& context, int threads) {
-  std::vector<double> depth = fieldDepths(surface, tree, r, context, threads);
+std::vector<double> depthsOf(const Job& job, const Reconstruction& made) {
+  std::vector<double> depth = fieldDepths(job);
   for (TriangleId t = 0; t < made.left.size(); ++t) {
     if (!made.left[t]) continue;
     for (const VertexId v : made.mesh.triangles[t]) {
       if (made.base[v] == kNone) continue;
       double& at = depth[made.base[v]];
-      at = std::min(at, tree.distance(made.mesh.positions[v]));
+      at = std::min(at, job.tree.distance(made.mesh.positions[v]));
     }
   }
   return depth;
 }
 
-std::vector<double> depthsOf(const Reconstruction& made, const SweepResult& swept,
-                             const TriangleMesh& surface, const ClosestPointTree& tree, double r,
-                             const RunContext& context, int threads) {
+std::vector<double> depthsOf(const Job& job, const Reconstruction& made, const SweepResult& swept) {
   std::vector<std::uint8_t> isThere(swept.mesh.positions.size(), 0);
   for (const VertexId v : made.origin)
     if (v != kNone) isThere[v] = 1;
-  std::vector<double> depth(surface.positions.size(), kUnknown);
+  std::vector<double> depth(job.surface.positions.size(), kUnknown);
   std::vector<std::uint8_t> isGone(depth.size(), 0);
   for (auto v = static_cast<VertexId>(depth.size()); v < isThere.size(); ++v) {
     if (swept.base[v] == kNone) continue;
@@ -91,7 +89,7 @@ std::vector<double> depthsOf(const Reconstruction& made, const SweepResult& swep
   }
   for (std::size_t v = 0; v < depth.size(); ++v)
     if (isGone[v]) depth[v] = kUnknown;
-  return fieldDepths(surface, tree, r, context, threads, std::move(depth));
+  return fieldDepths(job, std::move(depth));
 }
 
 }  // namespace thicken

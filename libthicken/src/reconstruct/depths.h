@@ -7,27 +7,23 @@
 #include <span>
 #include <vector>
 
+#include "job.h"
 #include "reconstruct/reconstruction.h"
 #include "sweep/sweep.h"
-#include "thicken/closest_point.h"
 
 namespace thicken {
 
-/// Below each vertex of `surface`, mm: to where the field of thickness `r` ends along the normal, or to the
-/// copy of it where pieces of the shell of `swept` are kept; `keep`: flags per triangle of it.
-[[nodiscard]] std::vector<double> depthsOf(const SweepResult& swept, std::span<const std::uint8_t> keep,
-                                           const TriangleMesh& surface, const ClosestPointTree& tree,
-                                           double r, const RunContext& context, int threads);
+/// Below each vertex of S, mm: to where the field ends along the normal, or to the copy of it where pieces of
+/// the shell of `swept` are kept; `keep`: flags per triangle of it.
+[[nodiscard]] std::vector<double> depthsOf(const Job& job, const SweepResult& swept,
+                                           std::span<const std::uint8_t> keep);
 
 /// The same of `made`: to the copies that were left there.
-[[nodiscard]] std::vector<double> depthsOf(const Reconstruction& made, const TriangleMesh& surface,
-                                           const ClosestPointTree& tree, double r, const RunContext& context,
-                                           int threads);
+[[nodiscard]] std::vector<double> depthsOf(const Job& job, const Reconstruction& made);
 
 /// The same of `made` in place of `swept`, whose vertices `made.origin` names: to the copies that are still
 /// there, all of which are the sweep's.
-[[nodiscard]] std::vector<double> depthsOf(const Reconstruction& made, const SweepResult& swept,
-                                           const TriangleMesh& surface, const ClosestPointTree& tree,
-                                           double r, const RunContext& context, int threads);
+[[nodiscard]] std::vector<double> depthsOf(const Job& job, const Reconstruction& made,
+                                           const SweepResult& swept);
 
 }  // namespace thicken

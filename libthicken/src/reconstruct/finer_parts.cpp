@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "measure/error_bound.h"
-#include "measure/stopwatch.h"
 #include "parallel/parallel_for.h"
 #include "reconstruct/cells.h"
 #include "reconstruct/complete.h"
@@ -28,15 +27,7 @@ struct Parts {
 
 class Refiner {
  public:
-  Refiner(const TriangleMesh& surface, const ClosestPointTree& tree, const Options& options,
-          const AllowsCells& isAllowed, const RunContext& context, int threads, Stopwatch& watch)
-      : surface_(surface),
-        tree_(tree),
-        options_(options),
-        isAllowed_(isAllowed),
-        context_(context),
-        threads_(threads),
-        watch_(watch) {}
+  Refiner(const Job& job, const AllowsCells& isAllowed) : job_(job), isAllowed_(isAllowed) {}
 
   // Where sheets are too close for the cells, the sweep's shell may be kept, which may be far too thin.
   Reconstruction whereLeft(Reconstruction made) {
@@ -63,9 +54,8 @@ class Refiner {
     constexpr int kMostTimes = 5, kMostFailures = 2;
     double width = made.cell;
     for (int i = 0, failures = 0; i < kMostTimes && failures < kMostFailures; ++i) {
-      std::vector<TriangleId> beyond = shellBeyond(made.mesh, made.region, tree_, options_.thickness,
-                                                   Side::kNegative, *options_.tolerance, context_, threads_);
-      watch_.lap("tolerance");
+      std::vector<TriangleId> beyond = shellBeyond(job_, made.mesh, made.region, *job_.options.tolerance);
+      job_.watch.lap("tolerance");
       if (beyond.empty()) break;
       // What cannot be joined in cells of one width may be in finer ones.
       if (auto finer = again(made, {std::move(beyond), width *= kFiner, false}))
@@ -91,16 +81,16 @@ class Refiner {
     swept.mesh = made.mesh;
     swept.region = made.region;
     swept.base.assign(made.mesh.positions.size(), kNone);
-    for (VertexId v = 0; v < surface_.positions.size(); ++v) swept.base[v] = v;
+    for (VertexId v = 0; v < job_.surface.positions.size(); ++v) swept.base[v] = v;
     for (std::size_t t = 0; t < made.left.size(); ++t)
       if (made.left[t])
         for (const VertexId v : made.mesh.triangles[t]) swept.base[v] = made.base[v];
     swept.up.assign(swept.base.size(), Vec3::Zero());
     for (const WallEnd& end : made.ends) swept.up[end.vertex] = end.up;
     swept.distance.resize(swept.base.size());
-    parallelFor(swept.base.size(), threads_, context_, 1024, [&](std::size_t v) {
-      if (v >= surface_.positions.size() && swept.base[v] != kNone)
-        swept.distance[v] = tree_.distance(swept.mesh.positions[v]);
+    parallelFor(swept.base.size(), job_.threads, job_.context, 1024, [&](std::size_t v) {
+      if (v >= job_.surface.positions.size() && swept.base[v] != kNone)
+        swept.distance[v] = job_.tree.distance(swept.mesh.positions[v]);
     });
     return swept;
   }
@@ -109,8 +99,7 @@ class Refiner {
   // cells than allowed, or can nowhere be joined.
   std::optional<Reconstruction> again(const Reconstruction& made, const Parts& parts) {
     constexpr int kRings = 2;
-    constexpr std::size_t kAttempts =
-        20;  // with any number garments took up to five times as long
+    constexpr std::size_t kAttempts = 20;  // with any number garments took up to five times as long
     Holes holes;
     holes.carried = asSwept(made);
     holes.keep.assign(made.region.size(), 1);
@@ -123,11 +112,10 @@ class Refiner {
     task.complete = &complete;
     task.width = parts.width;
     task.mayKeepShell = parts.mayKeepShell;
-    task.held = heldBytes(surface_);
+    task.held = heldBytes(job_.surface);
     // There is something in its place already, which is not worth any number of attempts.
     if (parts.mayKeepShell) task.attempts = kAttempts;
-    std::optional<Reconstruction> finer =
-        madeInWindows(surface_, holes, task, options_, context_, threads_, watch_);
+    std::optional<Reconstruction> finer = madeInWindows(job_, holes, task);
     if (finer->finest == 0) return std::nullopt;
     finer->origin.clear();
     finer->rounds += made.rounds;
@@ -137,36 +125,27 @@ class Refiner {
     finer->shellArea = made.shellArea;
     finer->cell = made.cell;
     finer->finest = std::min(finer->finest, made.finest);
-    finer->depth = depthsOf(*finer, surface_, tree_, options_.thickness, context_, threads_);
+    finer->depth = depthsOf(job_, *finer);
     return finer;
   }
 
-  const TriangleMesh& surface_;
-  const ClosestPointTree& tree_;
-  const Options& options_;
+  const Job& job_;
   const AllowsCells& isAllowed_;
-  const RunContext& context_;
-  int threads_;
-  Stopwatch& watch_;
 };
 
 }  // namespace
 
-Reconstruction madeInWindows(const TriangleMesh& surface, const Holes& holes, const WindowTask& task,
-                             const Options& options, const RunContext& context, int threads,
-                             Stopwatch& watch) {
-  InWindows in = completeInWindows(surface, holes, task, options, context, threads, watch);
-  Reconstruction made = withWindows(surface, holes, in.windows, in.made);
-  dropMisplaced(made, surface.positions.size(), threads);
+Reconstruction madeInWindows(const Job& job, const Holes& holes, const WindowTask& task) {
+  InWindows in = completeInWindows(job, holes, task);
+  Reconstruction made = withWindows(job.surface, holes, in.windows, in.made);
+  dropMisplaced(made, job.surface.positions.size(), job.threads);
   return made;
 }
 
-Reconstruction refined(Reconstruction made, const TriangleMesh& surface, const ClosestPointTree& tree,
-                       const Options& options, const AllowsCells& isAllowed, const RunContext& context,
-                       int threads, Stopwatch& watch) {
-  Refiner refiner(surface, tree, options, isAllowed, context, threads, watch);
+Reconstruction refined(const Job& job, Reconstruction made, const AllowsCells& isAllowed) {
+  Refiner refiner(job, isAllowed);
   made = refiner.whereLeft(std::move(made));
-  return options.tolerance ? refiner.toTolerance(std::move(made)) : made;
+  return job.options.tolerance ? refiner.toTolerance(std::move(made)) : made;
 }
 
 }  // namespace thicken

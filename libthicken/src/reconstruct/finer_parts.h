@@ -7,8 +7,6 @@
 
 #include "reconstruct/in_windows.h"
 #include "reconstruct/reconstruction.h"
-#include "thicken/closest_point.h"
-#include "thicken/options.h"
 
 namespace thicken {
 
@@ -17,15 +15,10 @@ using AllowsCells = std::function<bool(double width, double area)>;
 
 /// A boundary whose holes are closed where they can be; elsewhere it stays as it is. `finest` is 0 where none
 /// can; `depth` and `shellArea` are not set.
-[[nodiscard]] Reconstruction madeInWindows(const TriangleMesh& surface, const Holes& holes,
-                                           const WindowTask& task, const Options& options,
-                                           const RunContext& context, int threads, Stopwatch& watch);
+[[nodiscard]] Reconstruction madeInWindows(const Job& job, const Holes& holes, const WindowTask& task);
 
 /// `made` with what it left to the sweep in finer and finer cells, and then what is not proved to be within
-/// the tolerance of `options`, where there is one, until it is or no finer cells are allowed.
-[[nodiscard]] Reconstruction refined(Reconstruction made, const TriangleMesh& surface,
-                                     const ClosestPointTree& tree, const Options& options,
-                                     const AllowsCells& isAllowed, const RunContext& context, int threads,
-                                     Stopwatch& watch);
+/// the tolerance of the job, where there is one, until it is or no finer cells are allowed.
+[[nodiscard]] Reconstruction refined(const Job& job, Reconstruction made, const AllowsCells& isAllowed);
 
 }  // namespace thicken

@@ -98,11 +98,10 @@ std::vector<std::uint8_t> openableOf(const Assembly& assembly, const ContourTask
   return is;
 }
 
-std::optional<Holes> holesOf(const TriangleMesh& surface, const SweepResult& swept, const Attempt& attempt,
-                             const ContourTask& task, std::span<const TriangleId> meeting,
-                             const RunContext& context, int threads) {
+std::optional<Holes> holesOf(const Job& job, const SweepResult& swept, const Attempt& attempt,
+                             const ContourTask& task, std::span<const TriangleId> meeting) {
   Assembly made = attempt.assembly();
-  labelStrip(made, threads);
+  labelStrip(made, job.threads);
   Holes holes;
   const std::size_t count = made.region.size();
   holes.keep.assign(count, 1);
@@ -110,7 +109,7 @@ std::optional<Holes> holesOf(const TriangleMesh& surface, const SweepResult& swe
   holes.left.assign(count, 0);
   SweepResult& carried = holes.carried;
   carried.base.assign(made.mesh.positions.size(), kNone);
-  for (VertexId v = 0; v < surface.positions.size(); ++v) carried.base[v] = v;
+  for (VertexId v = 0; v < job.surface.positions.size(); ++v) carried.base[v] = v;
   for (TriangleId t = 0; t < made.carrierTriangles; ++t) {
     if (made.region[t] != Region::kShell) continue;
     holes.left[t] = task.left[made.source[t]];
@@ -128,7 +127,8 @@ std::optional<Holes> holesOf(const TriangleMesh& surface, const SweepResult& swe
   std::vector<TriangleId> bad = attempt.crowdedTriangles();
   bad.insert(bad.end(), meeting.begin(), meeting.end());
   sortUnique(bad);
-  if (!Cutter(holes, attempt.carrier().mesh.positions, context, threads).cut(bad)) return std::nullopt;
+  if (!Cutter(holes, attempt.carrier().mesh.positions, job.context, job.threads).cut(bad))
+    return std::nullopt;
   return holes;
 }
 

@@ -19,9 +19,7 @@ namespace thicken {
 
 /// The holes around the triangles that `meeting` lists after `attempt` at `task`, which was made with
 /// `swept`. Nothing where triangles of its carrier meet each other wherever their walls end.
-[[nodiscard]] std::optional<Holes> holesOf(const TriangleMesh& surface, const SweepResult& swept,
-                                           const Attempt& attempt, const ContourTask& task,
-                                           std::span<const TriangleId> meeting, const RunContext& context,
-                                           int threads);
+[[nodiscard]] std::optional<Holes> holesOf(const Job& job, const SweepResult& swept, const Attempt& attempt,
+                                           const ContourTask& task, std::span<const TriangleId> meeting);
 
 }  // namespace thicken

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "field/uniform_grid.h"
-#include "measure/stopwatch.h"
 #include "parallel/parallel_for.h"
 #include "reconstruct/cells.h"
 #include "thicken/error.h"
@@ -26,18 +25,11 @@ struct Outcome {
 
 class Closer {
  public:
-  Closer(const TriangleMesh& surface, const Holes& holes, const WindowTask& task, const Options& options,
-         const RunContext& context, int threads, Stopwatch& watch)
-      : surface_(surface),
-        holes_(holes),
-        task_(task),
-        options_(options),
-        context_(context),
-        threads_(threads),
-        watch_(watch) {}
+  Closer(const Job& job, const Holes& holes, const WindowTask& task)
+      : job_(job), holes_(holes), task_(task) {}
 
   InWindows run() {
-    windows_ = windowsOf(surface_, holes_, options_.thickness, task_.width, threads_);
+    windows_ = windowsOf(job_, holes_, task_.width);
     outcomes_.resize(windows_.size());
     closeEach();
     for (double times = kWider;; times = kAll) {
@@ -74,23 +66,23 @@ class Closer {
   void closeEach() {
     if (task_.meetingIn) {
       for (std::size_t i = 0; i < windows_.size(); ++i) {
-        if (!outcomes_[i].isKnown) outcomes_[i] = close(windows_[i], threads_, watch_);
+        if (!outcomes_[i].isKnown) outcomes_[i] = close(windows_[i], job_.threads, job_.watch);
         if (!outcomes_[i].made && !outcomes_[i].isTooNarrow && task_.stopsAtFirst) return;
       }
       return;
     }
     // A working set is for one contour at a time where memory is limited.
-    const bool beside = windows_.size() > 1 && context_.memoryLimit() == 0;
-    parallelFor(windows_.size(), beside ? threads_ : 1, context_, 1, [&](std::size_t i) {
+    const bool beside = windows_.size() > 1 && job_.context.memoryLimit() == 0;
+    parallelFor(windows_.size(), beside ? job_.threads : 1, job_.context, 1, [&](std::size_t i) {
       Stopwatch own;
-      if (!outcomes_[i].isKnown) outcomes_[i] = close(windows_[i], beside ? 1 : threads_, own);
+      if (!outcomes_[i].isKnown) outcomes_[i] = close(windows_[i], beside ? 1 : job_.threads, own);
     });
-    watch_.lap("regions");
+    job_.watch.lap("regions");
   }
 
   // Wider windows where these are too narrow. What was made in the others stays.
   void widen(const TooNarrow& narrow) {
-    std::vector<Window> wide = windowsOf(surface_, holes_, options_.thickness, task_.width, threads_, narrow);
+    std::vector<Window> wide = windowsOf(job_, holes_, task_.width, narrow);
     std::vector<Outcome> outcomes(wide.size());
     for (std::size_t i = 0; i < wide.size(); ++i)
       for (std::size_t k = 0; k < windows_.size(); ++k)
@@ -112,16 +104,18 @@ class Closer {
     task.allowance = task_.attempts > 0 ? &own : task_.allowance;
     if (task_.meetingIn) task.meeting = task_.meetingIn(window.zone);
     task.crossings = mostCrossings(task.area, task.width);
-    task.working = workingSetFor(task.crossings, task_.held, context_);
+    task.working = workingSetFor(task.crossings, task_.held, job_.context);
     task.keep = window.part.keep;
     task.openable = window.part.openable;
     task.left = window.part.left;
     task.cut = window.cut;
     try {
-      requireCells(window.surface, options_.thickness, task.width);
       const ClosestPointTree tree(window.surface, threads);
-      auto made = task_.complete(window.surface, tree, window.part.carried, std::move(task), options_,
-                                 context_, threads, watch);
+      const Job part{window.surface, tree,         job_.thickness.of(window.surface, window.vertex),
+                     job_.options,   job_.context, threads,
+                     watch};
+      requireCells(part, task.width);
+      auto made = task_.complete(part, window.part.carried, std::move(task));
       if (made && !staysWithin(window, *made)) return {std::nullopt, true, true};
       return {std::move(made), true, false};
     } catch (const LeavesWindow&) {
@@ -132,23 +126,17 @@ class Closer {
     }
   }
 
-  const TriangleMesh& surface_;
+  const Job& job_;
   const Holes& holes_;
   const WindowTask& task_;
-  const Options& options_;
-  const RunContext& context_;
-  int threads_;
-  Stopwatch& watch_;
   std::vector<Window> windows_;
   std::vector<Outcome> outcomes_;
 };
 
 }  // namespace
 
-InWindows completeInWindows(const TriangleMesh& surface, const Holes& holes, const WindowTask& task,
-                            const Options& options, const RunContext& context, int threads,
-                            Stopwatch& watch) {
-  return Closer(surface, holes, task, options, context, threads, watch).run();
+InWindows completeInWindows(const Job& job, const Holes& holes, const WindowTask& task) {
+  return Closer(job, holes, task).run();
 }
 
 bool fewCells(double width, double area) {

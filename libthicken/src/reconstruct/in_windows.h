@@ -39,9 +39,7 @@ struct InWindows {
 /// Closes the holes in windows around them, wider ones where a contour leaves the usual ones. Nothing is made
 /// where the cells are too many for the grid's keys, for the memory limit or for the allowance, or where S
 /// touches their grid wherever it lies. The same for any number of threads. Throws kCancelled.
-[[nodiscard]] InWindows completeInWindows(const TriangleMesh& surface, const Holes& holes,
-                                          const WindowTask& task, const Options& options,
-                                          const RunContext& context, int threads, Stopwatch& watch);
+[[nodiscard]] InWindows completeInWindows(const Job& job, const Holes& holes, const WindowTask& task);
 
 /// Whether cells of `width` mm are few enough for `area` mm² to be made again in them.
 [[nodiscard]] bool fewCells(double width, double area);

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "measure/measure.h"
-#include "measure/stopwatch.h"
 #include "reconstruct/cells.h"
 #include "reconstruct/complete.h"
 #include "reconstruct/depths.h"
@@ -25,22 +24,26 @@ struct WholeShell {
 };
 
 // Whether cells of a width may be tried where wider ones did not do.
-AllowsCells finerCells(const TriangleMesh& surface, const Options& options, const RunContext& context) {
+AllowsCells finerCells(const Job& job) {
   return [&](double width, double area) {
-    return !options.cell && !options.resolution && fewCells(width, area) &&
-           !workingSetFor(mostCrossings(area, width), heldBytes(surface), context).isLean;
+    return !job.options.cell && !job.options.resolution && fewCells(width, area) &&
+           !workingSetFor(mostCrossings(area, width), heldBytes(job.surface), job.context).isLean;
   };
 }
 
+// How it is to be made where all of the shell is.
+WholeShell wholeShell(const Job& job) {
+  const double area = areaOf(job.surface);
+  return {area, shellShadows(job), cellWidth(job, area)};
+}
+
 // The solid with no shell but the contour's.
-Reconstruction wholeContour(const TriangleMesh& surface, const ClosestPointTree& tree,
-                            const std::function<const SweepResult&()>& swept, const WholeShell& shell,
-                            const Options& options, const RunContext& context, int threads,
-                            Stopwatch& watch) {
+Reconstruction wholeContour(const Job& job, const std::function<const SweepResult&()>& swept,
+                            const WholeShell& shell) {
   const std::size_t crossings = mostShellCrossings(shell.shadows, shell.width);
-  const WorkingSet working = requireRoomForField(surface, crossings, options.thickness, shell.width, context);
+  const WorkingSet working = requireRoomForField(job, crossings, shell.width);
   const auto below = [&](const SweepResult& walls) {
-    watch.lap("sweep");
+    job.watch.lap("sweep");
     ContourTask task{std::vector<std::uint8_t>(walls.mesh.triangles.size()),
                      shell.area,
                      shell.width,
@@ -48,55 +51,41 @@ Reconstruction wholeContour(const TriangleMesh& surface, const ClosestPointTree&
                      working,
                      walls.shellProved};
     for (std::size_t t = 0; t < task.keep.size(); ++t) task.keep[t] = walls.region[t] != Region::kShell;
-    return complete(surface, tree, walls, std::move(task), options, context, threads, watch);
+    return complete(job, walls, std::move(task));
   };
   // Most surfaces need no more of the sweep than its walls.
-  if (const auto walls = sweepWalls(surface, tree, options.thickness, context, threads))
-    if (auto made = below(*walls))
-      return refined(*std::move(made), surface, tree, options, finerCells(surface, options, context), context,
-                     threads, watch);
+  if (const auto walls = sweepWalls(job))
+    if (auto made = below(*walls)) return refined(job, *std::move(made), finerCells(job));
   const SweepResult& all = swept();
-  return refined(*below(all), surface, tree, options, finerCells(surface, options, context), context, threads,
-                 watch);
+  return refined(job, *below(all), finerCells(job));
 }
 
 }  // namespace
 
-Reconstruction reconstruct(const TriangleMesh& surface, const ClosestPointTree& tree, const Options& options,
-                           const RunContext& context, int threads, Stopwatch& watch) {
-  const double area = areaOf(surface);
-  const WholeShell shell{area, shellShadows(surface, options.thickness, threads),
-                         cellWidth(surface, area, options)};
+Reconstruction reconstruct(const Job& job) {
   SweepResult swept;
-  const auto sweepAll = [&]() -> const SweepResult& {
-    return swept = sweep(surface, tree, options.thickness, Side::kNegative, context, threads, Polish::kNo);
-  };
-  return wholeContour(surface, tree, sweepAll, shell, options, context, threads, watch);
+  const auto sweepAll = [&]() -> const SweepResult& { return swept = sweep(job, Polish::kNo); };
+  return wholeContour(job, sweepAll, wholeShell(job));
 }
 
-std::optional<Reconstruction> deepen(const TriangleMesh& surface, const ClosestPointTree& tree,
-                                     const SweepResult& swept, const Options& options,
-                                     const RunContext& context, int threads, Stopwatch& watch) {
-  ShellPlan plan = planShell(surface, swept, tree, options, context, threads);
+std::optional<Reconstruction> deepen(const Job& job, const SweepResult& swept) {
+  ShellPlan plan = planShell(job, swept);
   if (plan.keepsAll()) return std::nullopt;
-  const double r = options.thickness;
-  if (options.tolerance) {
+  const double r = job.thickness.least();
+  if (job.options.tolerance) {
     // Finer cells are for the worst places alone, with a seam around them. A contour of the whole shell has
     // none, and keeps a tolerance more often.
     constexpr double kCoarsest = 1.0 / 3;  // of r
-    const double area = areaOf(surface);
-    const WholeShell shell{area, shellShadows(surface, r, threads), cellWidth(surface, area, options)};
-    const std::size_t crossings = mostShellCrossings(shell.shadows, shell.width);
-    if (shell.width < kCoarsest * r && hasRoomForField(surface, crossings, context))
+    const WholeShell shell = wholeShell(job);
+    if (shell.width < kCoarsest * r && hasRoomForField(job, mostShellCrossings(shell.shadows, shell.width)))
       return wholeContour(
-          surface, tree, [&]() -> const SweepResult& { return swept; }, shell, options, context, threads,
-          watch);
+          job, [&]() -> const SweepResult& { return swept; }, shell);
   }
   const double own = plan.width;
-  plan.width = widthWithRoom(surface, mostCrossings(plan.area, own), own, options, context);
+  plan.width = widthWithRoom(job, mostCrossings(plan.area, own), own);
   if (!(plan.width < r / 2)) plan.width = own;  // which is refused
   const std::size_t crossings = mostCrossings(plan.area, plan.width);
-  (void)requireRoomForField(surface, crossings, r, plan.width, context);
+  (void)requireRoomForField(job, crossings, plan.width);
   Holes holes{swept, plan.keep, {}, {}};
   for (TriangleId t = 0; t < plan.keep.size(); ++t) {
     holes.openable.push_back(swept.region[t] == Region::kShell);
@@ -107,15 +96,14 @@ std::optional<Reconstruction> deepen(const TriangleMesh& surface, const ClosestP
   task.width = plan.width;
   task.mayKeepShell = true;
   task.anyArea = true;
-  task.held = heldBytes(surface);
-  Reconstruction made = madeInWindows(surface, holes, task, options, context, threads, watch);
+  task.held = heldBytes(job.surface);
+  Reconstruction made = madeInWindows(job, holes, task);
   made.cell = plan.width;
   made.shellArea = plan.area;
-  made.predicted = std::max(made.predicted, heldBytes(surface) + wholeBytes(crossings));
-  made.depth = depthsOf(made, swept, surface, tree, r, context, threads);
+  made.predicted = std::max(made.predicted, heldBytes(job.surface) + wholeBytes(crossings));
+  made.depth = depthsOf(job, made, swept);
   made.origin.clear();
-  return refined(std::move(made), surface, tree, options, finerCells(surface, options, context), context,
-                 threads, watch);
+  return refined(job, std::move(made), finerCells(job));
 }
 
 }  // namespace thicken

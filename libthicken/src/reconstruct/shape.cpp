@@ -145,14 +145,13 @@ std::vector<Vec3> shapedPositions(const Assembly& assembly, const DualSurface& d
   shaper.run(rounds);
   std::vector<Vec3> at = std::move(shaper.positions());
   if (rounds == 0) return at;
-  const double r = membership.thickness();
   // Tangent planes of a ball meet outside it, chords between its points are inside: half-way between the two,
   // vertices stand out as far as the faces between them stand in. Not by more than half a cell's cap of the
   // ball.
-  const double most = cell * cell / (8 * r);
   parallelFor(dual.vertexCount, threads, context, 128, [&](std::size_t v) {
     if (!shaper.onShell(static_cast<VertexId>(v))) return;
     const auto c = membership.surface().closest(at[v]);
+    const double r = membership.thickness().at(*c), most = cell * cell / (8 * r);
     if (c->onRim || c->distance < r / 2 || std::abs(c->distance - r) > cell / 2) return;
     const double off = std::clamp((c->distance - r) / 2, -most, most);
     at[v] = c->point + ((r + off) / c->distance) * (at[v] - c->point);

@@ -28,10 +28,10 @@ double contourError(double width, double r) {
 }
 
 // How far a triangle of the sweep's shell may be off for it to stay, mm.
-double errorToLeave(const Options& options) {
+double errorToLeave(const Job& job) {
   // A resin printer draws 25 to 50 µm, which is 1 % of a wall of some millimetres.
   constexpr double kDrawn = 0.01;
-  return options.tolerance ? *options.tolerance / 2 : kDrawn * options.thickness;
+  return job.options.tolerance ? *job.options.tolerance / 2 : kDrawn * job.thickness.least();
 }
 
 double longestEdge(const TriangleMesh& mesh, TriangleId t) {
@@ -41,34 +41,39 @@ double longestEdge(const TriangleMesh& mesh, TriangleId t) {
 }
 
 // Whether Definition 2 ends the solid within `reach` mm of a point `p` whose closest point on S is `c`,
-// short of the thickness `r`: halfway to another sheet.
-bool endsHalfway(const Vec3& p, const ClosestPoint& c, const ClosestPointTree& tree, double r, double reach) {
+// short of the thickness: halfway to another sheet.
+bool endsHalfway(const Job& job, const Vec3& p, const ClosestPoint& c, double reach) {
   if (!(c.distance > 0)) return false;
   const Vec3 step = reach / c.distance * (p - c.point);
-  const bool isInside = insideThickened(p, c, r);
-  const auto differs = [&](const Vec3& q) { return insideThickened(q, *tree.closest(q), r) != isInside; };
+  const bool isInside = insideThickened(p, c, job.thickness.at(c));
+  const auto differs = [&](const Vec3& q) {
+    const ClosestPoint near = *job.tree.closest(q);
+    return insideThickened(q, near, job.thickness.at(near)) != isInside;
+  };
   return differs(p + step) || differs(p - step);
 }
 
-// How far each triangle of the sweep's shell is off, mm: the most at its middle and in the middles of its
-// corner pieces; 0 for others. An error that one corner has alone counts as far as it reaches.
-std::vector<double> shellErrors(const TriangleMesh& surface, const SweepResult& swept,
-                                const ClosestPointTree& tree, const Options& options,
-                                const RunContext& context, int threads) {
+// How far each triangle of the sweep's shell is off, mm (of a share of the thickness: as much as the same
+// share of the least thickness is): the most at its middle and in the middles of its corner pieces; 0 for
+// others. An error that one corner has alone counts as far as it reaches.
+std::vector<double> shellErrors(const Job& job, const SweepResult& swept) {
+  const TriangleMesh& surface = job.surface;
+  const int threads = job.threads;
   const auto normal = faceNormals(surface.positions, surface.triangles, threads);
   const auto around = vertexTriangles(surface.positions.size(), surface.triangles, threads);
-  const OffsetError error(surface, normal, around, options.thickness, joinOf(options));
+  const OffsetError error(job, normal, around, joinOf(job.options));
   const std::vector<Vec3>& p = swept.mesh.positions;
-  const double enough = errorToLeave(options);
+  const double enough = errorToLeave(job);
   // What is nearest to the rim is wall, which may lean (Remark 4).
   const auto errorOf = [&](const Vec3& at, const ClosestPoint& c) {
-    const double off = c.onRim ? 0 : error.at(at, c).mm;
-    return off < -enough && endsHalfway(at, c, tree, options.thickness, enough) ? 0 : std::abs(off);
+    const double scale = job.options.tolerance ? 1 : job.thickness.least() / job.thickness.at(c);
+    const double off = c.onRim ? 0 : scale * error.at(at, c).mm;
+    return off < -enough && endsHalfway(job, at, c, enough / scale) ? 0 : std::abs(off);
   };
   std::vector<double> atVertex(p.size(), 0);
-  SpatialOrder(swept.nearest, tree, threads)
+  SpatialOrder(swept.nearest, job.tree, threads)
       .query(
-          tree, 1, threads, context,
+          job.tree, 1, threads, job.context,
           [&](std::uint32_t v, std::size_t, ClosestPointTree::Query& query) {
             query.point = p[v];
             query.hint = swept.nearest[v];
@@ -80,7 +85,7 @@ std::vector<double> shellErrors(const TriangleMesh& surface, const SweepResult& 
   // Within a triangle with the longest edge e the square of the distance to S is not less than the mean of
   // its corners' by more than e²/3, so that its middle need not be looked at where that is a quarter of what
   // is left.
-  const double small = 1.5 * enough * options.thickness;  // mm²
+  const double small = 1.5 * enough * job.thickness.least();  // mm²
   std::vector<double> most(swept.mesh.triangles.size(), 0);
   std::vector<TriangleId> large, near;
   for (TriangleId t = 0; t < most.size(); ++t) {
@@ -98,9 +103,9 @@ std::vector<double> shellErrors(const TriangleMesh& surface, const SweepResult& 
     const auto& w = kShellSamples[k];
     return Vec3(w[0] * p[a] + w[1] * p[b] + w[2] * p[c]);
   };
-  SpatialOrder(near, tree, threads)
+  SpatialOrder(near, job.tree, threads)
       .query(
-          tree, 1, threads, context,
+          job.tree, 1, threads, job.context,
           [&](std::uint32_t i, std::size_t, ClosestPointTree::Query& query) {
             query.point = sample(large[i], 0);
             query.hint = near[i];
@@ -112,7 +117,7 @@ std::vector<double> shellErrors(const TriangleMesh& surface, const SweepResult& 
             double& own = most[large[i]] = std::max(errorOf(at, c), corner / 2);
             for (std::size_t k = 1; k < kMostShellSamples && 2 * own > enough && own <= enough; ++k) {
               const Vec3 more = sample(large[i], k);
-              own = std::max(own, errorOf(more, *tree.closest(more)));
+              own = std::max(own, errorOf(more, *job.tree.closest(more)));
             }
           });
   return most;
@@ -123,15 +128,14 @@ std::vector<double> shellErrors(const TriangleMesh& surface, const SweepResult& 
 constexpr double kMostAlongEdge = 400;
 
 // All that is off by more than `error` mm, to be contoured.
-ShellPlan planFor(const TriangleMesh& surface, const SweepResult& swept, std::span<const double> errors,
-                  double error, const Options& options) {
+ShellPlan planFor(const Job& job, const SweepResult& swept, std::span<const double> errors, double error) {
   ShellPlan plan;
-  const double longest = kMostAlongEdge * options.thickness / 2.2;
+  const double longest = kMostAlongEdge * job.thickness.least() / 2.2;
   for (TriangleId t = 0; t < errors.size(); ++t)
     plan.keep.push_back(errors[t] <= error || longestEdge(swept.mesh, t) > longest);
   plan.area = openArea(swept, plan.keep);
   if (plan.keepsAll()) return plan;
-  plan.width = cellWidth(surface, plan.area, options, kManyBesideSweep);
+  plan.width = cellWidth(job, plan.area, kManyBesideSweep);
   return plan;
 }
 
@@ -168,30 +172,30 @@ double openArea(const SweepResult& swept, std::span<const std::uint8_t> keep) {
   return area;
 }
 
-double mostShort(const TriangleMesh& surface, const Options& options, const RunContext& context) {
-  const double area = areaOf(surface);
+double mostShort(const Job& job) {
+  const Options& options = job.options;
+  const double area = areaOf(job.surface);
   if (options.tolerance || options.cell || options.resolution) return 1;
-  const double width = cellWidth(surface, area, options);
+  const double width = cellWidth(job, area);
   const std::size_t crossings = mostCrossings(area, width);
   // A crossing is a quad, and there are 1.5 of them for each square of a cell, in the mean of all directions.
-  const bool isLeaner = 3 * area / (width * width) < static_cast<double>(surface.triangles.size());
-  return isLeaner && hasRoomForField(surface, crossings, context) ? 0.5 : 1;
+  const bool isLeaner = 3 * area / (width * width) < static_cast<double>(job.surface.triangles.size());
+  return isLeaner && hasRoomForField(job, crossings) ? 0.5 : 1;
 }
 
-ShellPlan planShell(const TriangleMesh& surface, const SweepResult& swept, const ClosestPointTree& tree,
-                    const Options& options, const RunContext& context, int threads) {
-  const std::vector<double> errors = shellErrors(surface, swept, tree, options, context, threads);
-  ShellPlan plan = planFor(surface, swept, errors, errorToLeave(options), options);
+ShellPlan planShell(const Job& job, const SweepResult& swept) {
+  const std::vector<double> errors = shellErrors(job, swept);
+  ShellPlan plan = planFor(job, swept, errors, errorToLeave(job));
   if (plan.keepsAll()) return plan;
   // Wider cells are no better than a sweep that is off by as much.
-  const double error = contourError(plan.width, options.thickness);
-  if (error > errorToLeave(options)) plan = planFor(surface, swept, errors, error, options);
+  const double error = contourError(plan.width, job.thickness.least());
+  if (error > errorToLeave(job)) plan = planFor(job, swept, errors, error);
   // A thickness far below the extent of the surface would take any number of cells. The widest ones go
   // farthest.
   const double width = plan.width;
   for (double area = std::min(plan.area, kManyBesideSweep * width * width);
        cellsOf(swept.mesh, plan) > kManyBesideSweep; area /= 2) {
-    plan = planFor(surface, swept, errors, affordableError(swept.mesh, errors, area), options);
+    plan = planFor(job, swept, errors, affordableError(swept.mesh, errors, area));
     plan.width = width;
   }
   return plan;

@@ -10,9 +10,6 @@
 #include <vector>
 
 #include "sweep/sweep.h"
-#include "thicken/closest_point.h"
-#include "thicken/options.h"
-#include "thicken/run_context.h"
 
 namespace thicken {
 
@@ -23,14 +20,11 @@ struct ShellPlan {
   [[nodiscard]] bool keepsAll() const { return std::find(keep.begin(), keep.end(), 0) == keep.end(); }
 };
 
-[[nodiscard]] ShellPlan planShell(const TriangleMesh& surface, const SweepResult& swept,
-                                  const ClosestPointTree& tree, const Options& options,
-                                  const RunContext& context, int threads);
+[[nodiscard]] ShellPlan planShell(const Job& job, const SweepResult& swept);
 
 /// The share of S's area that a sweep's shell may be short of for it to be of use beside a contour: half,
 /// where the contour of the whole shell has fewer triangles than S and there is room for it; else all.
-[[nodiscard]] double mostShort(const TriangleMesh& surface, const Options& options,
-                               const RunContext& context);
+[[nodiscard]] double mostShort(const Job& job);
 
 /// Area of the shell of `swept` that `keep` leaves to the contour, mm².
 [[nodiscard]] double openArea(const SweepResult& swept, std::span<const std::uint8_t> keep);

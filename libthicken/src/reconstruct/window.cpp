@@ -367,14 +367,13 @@ class Joiner {
 
 }  // namespace
 
-std::vector<Window> windowsOf(const TriangleMesh& surface, const Holes& holes, double r, double width,
-                              int threads, const TooNarrow& narrow) {
-  const std::vector<Bounds> zones = zonesOf(holes, width, narrow, threads);
+std::vector<Window> windowsOf(const Job& job, const Holes& holes, double width, const TooNarrow& narrow) {
+  const std::vector<Bounds> zones = zonesOf(holes, width, narrow, job.threads);
   std::vector<Window> windows;
   if (zones.empty()) return windows;
   // S where it is in reach of the field, and there its copies, which a mitre may put twice as far away.
-  const double reach = (1 + kMitreLimit) * r + kBeyondContour * width;
-  WindowMaker maker(surface, holes, kBeyondContour * width, reach, threads);
+  const double reach = (1 + kMitreLimit) * job.thickness.most() + kBeyondContour * width;
+  WindowMaker maker(job.surface, holes, kBeyondContour * width, reach, job.threads);
   for (const Bounds& zone : zones) windows.push_back(maker.around(zone));
   return windows;
 }

@@ -10,10 +10,10 @@
 #include <span>
 #include <vector>
 
+#include "job.h"
 #include "reconstruct/cut.h"
 #include "reconstruct/reconstruction.h"
 #include "sweep/sweep.h"
-#include "thicken/closest_point.h"
 
 namespace thicken {
 
@@ -42,9 +42,9 @@ struct TooNarrow {
   double times = 1;
 };
 
-/// Windows whose zones are disjoint, for contours with cells of `width` mm of the field with thickness `r`.
-[[nodiscard]] std::vector<Window> windowsOf(const TriangleMesh& surface, const Holes& holes, double r,
-                                            double width, int threads, const TooNarrow& narrow = {});
+/// Windows whose zones are disjoint, for contours with cells of `width` mm.
+[[nodiscard]] std::vector<Window> windowsOf(const Job& job, const Holes& holes, double width,
+                                            const TooNarrow& narrow = {});
 
 /// Whether all vertices that are new in a window, or moved, lie in its zone.
 [[nodiscard]] bool staysWithin(const Window& window, const Reconstruction& made);

@@ -44,22 +44,23 @@ double aspectOf(const Vec3& a, const Vec3& b, const Vec3& c) {
   return twiceArea > 0 ? longest2 / twiceArea : kInfinite;
 }
 
-Collapse::Collapse(TriangleMesh& mesh, LinkedMesh& links, std::span<const Region> region,
-                   std::size_t fixedVertices, const ShellDefinition& definition, const ClosestPointTree& tree,
-                   ShellTargets& targets, const Vec3& center, const Limits& limits, int threads)
-    : mesh_(mesh),
+Collapse::Collapse(const Job& job, TriangleMesh& mesh, LinkedMesh& links, std::span<const Region> region,
+                   const ShellDefinition& definition, ShellTargets& targets, const Vec3& center,
+                   const Limits& limits)
+    : job_(job),
+      alone_{job.surface, job.tree, job.thickness, job.options, silent_, 1, job.watch},
+      mesh_(mesh),
       links_(links),
       region_(region),
-      fixed_(fixedVertices),
+      fixed_(job.surface.positions.size()),
       definition_(definition),
-      tree_(tree),
       targets_(targets),
       center_(center),
       limits_(limits),
-      boxes_(mesh.positions, mesh.triangles, threads),
+      boxes_(mesh.positions, mesh.triangles, job.threads),
       age_(mesh.positions.size(), 0) {
   countCreases();
-  const Components parts = componentsOf(mesh.positions.size(), mesh.triangles, threads);
+  const Components parts = componentsOf(mesh.positions.size(), mesh.triangles, job.threads);
   part_ = parts.ofTriangle;
   apex_.assign(parts.count, Vec3::Zero());
   for (TriangleId t = 0; t < part_.size(); ++t) apex_[part_[t]] = mesh.positions[mesh.triangles[t][0]];
@@ -89,19 +90,19 @@ void Collapse::countCreases() {
 
 // Block after block, so that what is looked at is in the processor's caches; then what is between the blocks,
 // and what could not be collapsed before others were.
-void Collapse::run(const RunContext& context) {
+void Collapse::run() {
   constexpr std::size_t kBlock = 8192;  // triangles
   const std::vector<TriangleId> order = boxes_.order();
   block_.assign(mesh_.positions.size(), 0);
   for (std::size_t i = 0; i < order.size(); ++i)
     for (const VertexId v : mesh_.triangles[order[i]]) block_[v] = static_cast<std::uint32_t>(i / kBlock);
   for (std::size_t begin = 0; begin < order.size(); begin += kBlock)
-    collapseAmong(std::span(order).subspan(begin, std::min(kBlock, order.size() - begin)), context);
+    collapseAmong(std::span(order).subspan(begin, std::min(kBlock, order.size() - begin)));
   std::ranges::fill(block_, 0);
-  collapseAmong(order, context);
+  collapseAmong(order);
 }
 
-void Collapse::collapseAmong(std::span<const TriangleId> triangles, const RunContext& context) {
+void Collapse::collapseAmong(std::span<const TriangleId> triangles) {
   for (const TriangleId t : triangles) {
     if (links_.isGone(t)) continue;
     for (int k = 0; k < 3; ++k) {
@@ -112,8 +113,8 @@ void Collapse::collapseAmong(std::span<const TriangleId> triangles, const RunCon
   constexpr std::size_t kBetweenChecks = 256;
   for (std::size_t i = 0;; ++i) {
     if (i % kBetweenChecks == 0) {
-      context.throwIfCancelled();
-      context.count();
+      job_.context.throwIfCancelled();
+      job_.context.count();
     }
     const std::optional<EdgeQueue::Entry> next = queue_.pop();
     if (!next) return;
@@ -129,7 +130,7 @@ bool Collapse::isRemovable(VertexId v, bool alongCrease) const {
 // Lengths decide where planes do not: short edges first. Edges as long as they are apart count as much as a
 // tenth of the error that is allowed.
 double Collapse::costOf(double quadric, double length2) const {
-  const double share = 0.1 * limits_.error / limits_.r;
+  const double share = 0.1 * limits_.error / job_.thickness.least();
   return quadric + share * share * length2 * length2;
 }
 
@@ -297,7 +298,7 @@ bool Collapse::followDefinition(VertexId keep, bool isNew) {
     if (region_[c.id] == Region::kWall) continue;
     const auto [p, q, s] = cornersOf(c.corners);
     c.isLoose = allLoose_;
-    if (!isLookedAt({p, q, s}, limits_.r)) continue;
+    if (!isLookedAt({p, q, s}, job_.thickness.least())) continue;
     const auto place = definition_.at((p + q + s) / 3);
     const bool isOff = !place.isWall && (place.isLoose || std::abs(place.error) > limits_.error);
     if (place.isWall ? !anyLoose_ : isOff && !allLoose_) return false;
@@ -342,7 +343,7 @@ bool Collapse::areProved() const {
     part.triangles.push_back({first, first + 1, first + 2});
   }
   const std::vector<Region> shell(part.triangles.size(), Region::kShell);
-  return shellBeyond(part, shell, tree_, limits_.r, limits_.side, *limits_.proved, RunContext(), 1).empty();
+  return shellBeyond(alone_, part, shell, *limits_.proved).empty();
 }
 
 void Collapse::apply(VertexId keep, VertexId go) {

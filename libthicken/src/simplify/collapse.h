@@ -31,21 +31,20 @@ inline constexpr double kNeedle = 30;
 
 /// What a collapse may do.
 struct Limits {
-  double r = 0;      ///< mm
-  double error = 0;  ///< mm, farthest from a target, and error of the places that are looked at
-  Side side = Side::kNegative;
+  double error = 0;              ///< mm, farthest from a target, and error of the places that are looked at
   std::optional<double> proved;  ///< mm, error of whole triangles (shellBeyond())
 };
 
 class Collapse {
  public:
-  /// `mesh` is closed and manifold; its first `fixedVertices` stay as they are. All must outlive this.
-  Collapse(TriangleMesh& mesh, LinkedMesh& links, std::span<const Region> region, std::size_t fixedVertices,
-           const ShellDefinition& definition, const ClosestPointTree& tree, ShellTargets& targets,
-           const Vec3& center, const Limits& limits, int threads);
+  /// `mesh` is closed and manifold; its first vertices are those of S and stay as they are. All must outlive
+  /// this.
+  Collapse(const Job& job, TriangleMesh& mesh, LinkedMesh& links, std::span<const Region> region,
+           const ShellDefinition& definition, ShellTargets& targets, const Vec3& center,
+           const Limits& limits);
 
   /// Collapses what it can, cheapest edges first.
-  void run(const RunContext& context);
+  void run();
 
   [[nodiscard]] double largestDeviation() const { return largest_; }  ///< mm, from a target
 
@@ -58,7 +57,7 @@ class Collapse {
   };
 
   void countCreases();
-  void collapseAmong(std::span<const TriangleId> triangles, const RunContext& context);
+  void collapseAmong(std::span<const TriangleId> triangles);
   void pushAround(VertexId v);
   void push(VertexId a, VertexId b, TriangleId left, TriangleId right);
   [[nodiscard]] bool isRemovable(VertexId v, bool alongCrease) const;
@@ -79,12 +78,14 @@ class Collapse {
     return {mesh_.positions[t[0]], mesh_.positions[t[1]], mesh_.positions[t[2]]};
   }
 
+  const Job& job_;
+  RunContext silent_;  // what single collapses take is counted by their edges
+  Job alone_;          // for them
   TriangleMesh& mesh_;
   LinkedMesh& links_;
   std::span<const Region> region_;
   std::size_t fixed_;
   const ShellDefinition& definition_;
-  const ClosestPointTree& tree_;
   ShellTargets& targets_;
   Vec3 center_;
   Limits limits_;

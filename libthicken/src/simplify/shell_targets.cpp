@@ -93,29 +93,26 @@ void addTargets(ShellTargets& made, TriangleId t, const Corners& c, const Place&
 
 }  // namespace
 
-ShellDefinition::ShellDefinition(const TriangleMesh& surface, const ClosestPointTree& tree, double r,
-                                 Join join, double most, int threads)
-    : surface_(surface),
-      tree_(tree),
-      normal_(faceNormals(surface.positions, surface.triangles, threads)),
-      around_(vertexTriangles(surface.positions.size(), surface.triangles, threads)),
-      error_(surface, normal_, around_, r, join),
-      most_(most),
-      join_(join) {}
+ShellDefinition::ShellDefinition(const Job& job, double most)
+    : job_(job),
+      normal_(faceNormals(job.surface.positions, job.surface.triangles, job.threads)),
+      around_(vertexTriangles(job.surface.positions.size(), job.surface.triangles, job.threads)),
+      error_(job, normal_, around_, joinOf(job.options)),
+      most_(most) {}
 
 Place ShellDefinition::at(const Vec3& p) const {
-  const ClosestPoint c = *tree_.closest(p);
+  const ClosestPoint c = *job_.tree.closest(p);
   Place place;
   place.target = p;
-  place.area = areaOf(surface_.positions, surface_.triangles[c.triangle]);
+  place.area = areaOf(job_.surface.positions, job_.surface.triangles[c.triangle]);
   const OffsetError::Error error = error_.at(p, c);
   place.error = error.mm;
   place.isWall = c.onRim;
   place.isLoose = c.onRim || std::abs(error.mm) > most_ || c.distance <= 0;
   if (place.isLoose) return place;
-  place.isFree = join_ == Join::kMitre && c.feature != Feature::kFace && error.mm <= 0;
+  place.isFree = joinOf(job_.options) == Join::kMitre && c.feature != Feature::kFace && error.mm <= 0;
   place.target = p - error.mm * error.away;
-  place.normal = error.away;
+  place.normal = error.gradient;
   return place;
 }
 
@@ -124,9 +121,8 @@ bool isLookedAt(const Corners& corner, double r) {
   return longestEdge(corner) > r / 5;
 }
 
-ShellTargets shellTargets(const TriangleMesh& solid, std::span<const Region> region,
-                          const ShellDefinition& definition, double r, double error, bool copies,
-                          const Vec3& center, const RunContext& context, int threads) {
+ShellTargets shellTargets(const Job& job, const TriangleMesh& solid, std::span<const Region> region,
+                          const ShellDefinition& definition, double error, bool copies, const Vec3& center) {
   constexpr double kDense = 0.5;  // of the area of the triangle of S
   const std::size_t count = solid.triangles.size();
   std::vector<Place> middle(count);
@@ -135,7 +131,7 @@ ShellTargets shellTargets(const TriangleMesh& solid, std::span<const Region> reg
   made.isLoose.assign(count, 0);
   made.first.assign(count, ShellTargets::kEnd);
   made.quadric.resize(solid.positions.size());
-  parallelFor(count, threads, context, 256, [&](std::size_t i) {
+  parallelFor(count, job.threads, job.context, 256, [&](std::size_t i) {
     if (region[i] == Region::kOriginal) return;
     const auto t = static_cast<TriangleId>(i);
     middle[t] = middleOf(cornersOf(solid, t), region[t], definition);
@@ -147,15 +143,15 @@ ShellTargets shellTargets(const TriangleMesh& solid, std::span<const Region> reg
   std::vector<std::uint8_t> hasTarget(solid.positions.size(), 0);
   for (TriangleId t = 0; t < count; ++t) {
     if (t % 256 == 0) {
-      context.throwIfCancelled();
-      context.count();
+      job.context.throwIfCancelled();
+      job.context.count();
     }
     if (!beside[t] || region[t] == Region::kOriginal) continue;
     if (!middle[t].isFree)
       for (const VertexId v : solid.triangles[t])
         made.quadric[v].add(middle[t].normal, middle[t].target - center,
                             areaOf(solid.positions, solid.triangles[t]));
-    addTargets(made, t, cornersOf(solid, t), middle[t], definition, r, error);
+    addTargets(made, t, cornersOf(solid, t), middle[t], definition, job.thickness.least(), error);
     if (made.isLoose[t])
       for (const VertexId v : solid.triangles[t])
         if (!std::exchange(hasTarget[v], std::uint8_t{1}))

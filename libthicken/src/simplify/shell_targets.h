@@ -16,18 +16,15 @@
 #include "measure/offset_error.h"
 #include "mesh/topology.h"
 #include "simplify/quadric.h"
-#include "thicken/closest_point.h"
 #include "thicken/result.h"
-#include "thicken/run_context.h"
 
 namespace thicken::simplifying {
 
 /// What the shell's error is measured by.
 class ShellDefinition {
  public:
-  /// `surface` and `tree` must outlive this. `most`: mm, error of a point that follows its definition.
-  ShellDefinition(const TriangleMesh& surface, const ClosestPointTree& tree, double r, Join join, double most,
-                  int threads);
+  /// `job` must outlive this. `most`: mm, error of a point that follows its definition.
+  ShellDefinition(const Job& job, double most);
 
   struct Place {
     Vec3 target = Vec3::Zero(), normal = Vec3::Zero();  ///< of the definition, which goes through `target`
@@ -40,13 +37,11 @@ class ShellDefinition {
   [[nodiscard]] Place at(const Vec3& p) const;
 
  private:
-  const TriangleMesh& surface_;
-  const ClosestPointTree& tree_;
+  const Job& job_;
   std::vector<Vec3> normal_;
   VertexTriangles around_;
   OffsetError error_;
   double most_;
-  Join join_;
 };
 
 /// Whether the error of a triangle is looked at, in its middle: its corners do not tell all about it.
@@ -74,9 +69,8 @@ struct ShellTargets {
 /// The targets of all triangles around dense ones: of walls, and of those of the shell that are smaller than
 /// the triangles of S that they are nearest to, or with `copies` all. `error`: mm, how far off the shell may
 /// be; `center`: from where quadrics measure.
-[[nodiscard]] ShellTargets shellTargets(const TriangleMesh& solid, std::span<const Region> region,
-                                        const ShellDefinition& definition, double r, double error,
-                                        bool copies, const Vec3& center, const RunContext& context,
-                                        int threads);
+[[nodiscard]] ShellTargets shellTargets(const Job& job, const TriangleMesh& solid,
+                                        std::span<const Region> region, const ShellDefinition& definition,
+                                        double error, bool copies, const Vec3& center);
 
 }  // namespace thicken::simplifying

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "check/misplaced_shells.h"
@@ -75,36 +76,34 @@ double worstAspect(const TriangleMesh& solid, std::span<const Region> region) {
 }
 
 // Collapses what it can of a solid. Returns the largest deviation, mm.
-double collapsed(TriangleMesh& solid, std::vector<Region>& region, const SimplifyRequest& request,
-                 const RunContext& context, int threads) {
-  LinkedMesh links(solid.positions.size(), solid.triangles, threads);
+double collapsed(const Job& job, TriangleMesh& solid, std::vector<Region>& region, Simplify what) {
+  LinkedMesh links(solid.positions.size(), solid.triangles, job.threads);
   if (!links.isClosedManifold()) return 0;
-  const double r = request.thickness, most = request.tolerance.value_or(kFollows * r);
+  const std::optional<double>& tolerance = job.options.tolerance;
+  const double most = tolerance.value_or(kFollows * job.thickness.least());
   const Bounds bounds = boundsOf(solid);
   const Vec3 center = (bounds.low + bounds.high) / 2;
-  const std::size_t surfaceVertices = request.surface.positions.size();
-  const ShellDefinition definition(request.surface, request.tree, r, request.join, most, threads);
-  ShellTargets targets = shellTargets(solid, region, definition, r, kShare * most,
-                                      request.what == Simplify::kShell, center, context, threads);
+  const ShellDefinition definition(job, most);
+  ShellTargets targets =
+      shellTargets(job, solid, region, definition, kShare * most, what == Simplify::kShell, center);
   if (std::ranges::find(targets.isDense, 1) == targets.isDense.end()) return 0;
-  Limits limits{r, kShare * most, request.side, {}};
-  if (request.tolerance) limits.proved = kProvedShare * *request.tolerance;
-  Collapse collapse(solid, links, region, surfaceVertices, definition, request.tree, targets, center, limits,
-                    threads);
-  collapse.run(context);
+  Limits limits{kShare * most, {}};
+  if (tolerance) limits.proved = kProvedShare * *tolerance;
+  Collapse collapse(job, solid, links, region, definition, targets, center, limits);
+  collapse.run();
+  const std::size_t surfaceVertices = job.surface.positions.size();
   compact(solid, region, collapsedIn(links, solid.triangles.size()), surfaceVertices);
-  if (request.side != Side::kBoth)  // where S is no part of the boundary
-    compact(solid, region, passedBy(solid, region, threads), surfaceVertices);
+  if (job.options.side != Side::kBoth)  // where S is no part of the boundary
+    compact(solid, region, passedBy(solid, region, job.threads), surfaceVertices);
   return collapse.largestDeviation();
 }
 
 }  // namespace
 
-SimplifyFacts simplify(TriangleMesh& solid, std::vector<Region>& region, const SimplifyRequest& request,
-                       const RunContext& context, int threads) {
+SimplifyFacts simplify(const Job& job, TriangleMesh& solid, std::vector<Region>& region, Simplify what) {
   SimplifyFacts facts;
   facts.before = solid.triangles.size();
-  if (request.what != Simplify::kOff) facts.deviation = collapsed(solid, region, request, context, threads);
+  if (what != Simplify::kOff) facts.deviation = collapsed(job, solid, region, what);
   facts.after = solid.triangles.size();
   facts.worstAspect = worstAspect(solid, region);
   return facts;

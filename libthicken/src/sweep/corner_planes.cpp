@@ -76,12 +76,19 @@ Fan fanOf(std::span<const Triangle> triangles, std::span<const TriangleId> aroun
   return fan;
 }
 
+double offFrom(const OffsetPlane& plane, const Vec3& m) {
+  return std::abs(plane.normal.dot(m) - plane.way);
+}
+
 // The planes of a fan, those merged that are nearly parallel, and the most parallel ones where there are too
 // many.
-std::vector<CornerMaker::Plane> CornerMaker::planesOf(const Fan& fan, std::span<const Vec3> faceNormal) {
+std::vector<CornerMaker::Plane> CornerMaker::planesOf(const Fan& fan, std::span<const OffsetPlane> plane) {
   constexpr double kParallel = 1e-4;  // 1 − cos: 0.8 degrees
   std::vector<Plane> planes;
-  for (std::size_t i = 0; i < fan.triangle.size(); ++i) planes.push_back({faceNormal[fan.triangle[i]], i, 1});
+  for (std::size_t i = 0; i < fan.triangle.size(); ++i) {
+    const OffsetPlane& own = plane[fan.triangle[i]];
+    planes.push_back({own.normal, own.way, i, 1});
+  }
   while (planes.size() > 3) {
     std::size_t best = 0;
     double most = -1;
@@ -95,25 +102,27 @@ std::vector<CornerMaker::Plane> CornerMaker::planesOf(const Fan& fan, std::span<
     Plane& one = planes[best];
     const Plane& other = planes[next];
     one.normal = (double(one.count) * one.normal + double(other.count) * other.normal).stableNormalized();
+    one.way =
+        (double(one.count) * one.way + double(other.count) * other.way) / double(one.count + other.count);
     one.count += other.count;
     planes.erase(planes.begin() + static_cast<std::ptrdiff_t>(next));
   }
   return planes;
 }
 
-// m with n·m = 1 for three planes.
+// m in three planes.
 std::optional<Vec3> CornerMaker::meetingPoint(const PlaneTriple& t) const {
   Eigen::Matrix3d a;
   for (int k = 0; k < 3; ++k) a.row(k) = planes_[t[k]].normal.transpose();
   constexpr double kFlat = 1e-6;
   if (std::abs(a.determinant()) < kFlat) return std::nullopt;
-  const Vec3 m = a.inverse() * Vec3::Ones();
+  const Vec3 m = a.inverse() * Vec3(planes_[t[0]].way, planes_[t[1]].way, planes_[t[2]].way);
   if (!(m.norm() <= kMitreLimit)) return std::nullopt;
   return m;
 }
 
-CornerMaker::CornerMaker(const Fan& fan, std::span<const Vec3> faceNormal, const Vec3& single)
-    : fan_(fan), normal_(faceNormal), single_(single), planes_(planesOf(fan, faceNormal)) {}
+CornerMaker::CornerMaker(const Fan& fan, std::span<const OffsetPlane> plane, const Vec3& single)
+    : fan_(fan), plane_(plane), single_(single), planes_(planesOf(fan, plane)) {}
 
 std::vector<const PlaneTriangulation*> CornerMaker::candidates() {
   std::vector<std::pair<double, const PlaneTriangulation*>> found;
@@ -142,8 +151,7 @@ Corner CornerMaker::corner(const PlaneTriangulation& t) {
 double CornerMaker::errorOf(const Corner& corner) const {
   double most = 0;
   for (std::size_t i = 0; i < corner.chain.size(); ++i)
-    for (const int c : corner.chain[i])
-      most = std::max(most, std::abs(normal_[fan_.triangle[i]].dot(corner.m[c]) - 1));
+    for (const int c : corner.chain[i]) most = std::max(most, offFrom(plane_[fan_.triangle[i]], corner.m[c]));
   return most;
 }
 

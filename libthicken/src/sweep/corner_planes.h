@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "sweep/direction.h"
 #include "thicken/mesh.h"
 
 namespace thicken {
@@ -24,6 +25,9 @@ struct Fan {
 
 /// The fan of the triangles `around` a vertex; empty where they are no single fan.
 [[nodiscard]] Fan fanOf(std::span<const Triangle> triangles, std::span<const TriangleId> around, VertexId v);
+
+/// How far an offset vertex is off a plane, in r.
+[[nodiscard]] double offFrom(const OffsetPlane& plane, const Vec3& m);
 
 /// Offset vertices in the place of one. At depth r, vertex i is at r · m[i] from the vertex of S.
 struct Corner {
@@ -42,9 +46,9 @@ using PlaneTriangulation = std::vector<PlaneTriple>;  ///< of the polygon whose 
 /// Makes the corners that a vertex can have.
 class CornerMaker {
  public:
-  /// `faceNormal` per triangle of S. `single`: m of the offset vertex that the corners are to replace. `fan`
-  /// and `faceNormal` must outlive this.
-  CornerMaker(const Fan& fan, std::span<const Vec3> faceNormal, const Vec3& single);
+  /// `plane` per triangle of S. `single`: m of the offset vertex that the corners are to replace. `fan` and
+  /// `plane` must outlive this.
+  CornerMaker(const Fan& fan, std::span<const OffsetPlane> plane, const Vec3& single);
 
   /// The triangulations all of whose points exist, those first whose points are nearest to the single one.
   [[nodiscard]] std::vector<const PlaneTriangulation*> candidates();
@@ -59,10 +63,11 @@ class CornerMaker {
   /// Neighbours in a fan that one plane stands for.
   struct Plane {
     Vec3 normal = Vec3::Zero();
+    double way = 1;                    ///< OffsetPlane
     std::size_t first = 0, count = 0;  ///< of the fan's triangles, cyclic
   };
 
-  [[nodiscard]] static std::vector<Plane> planesOf(const Fan& fan, std::span<const Vec3> faceNormal);
+  [[nodiscard]] static std::vector<Plane> planesOf(const Fan& fan, std::span<const OffsetPlane> plane);
   [[nodiscard]] std::optional<Vec3> meetingPoint(const PlaneTriple& t) const;
   const std::optional<Vec3>& pointOf(const PlaneTriple& t);
   [[nodiscard]] Corner cornerOf(const PlaneTriangulation& t, const std::vector<Vec3>& m) const;
@@ -70,7 +75,7 @@ class CornerMaker {
   void share(const Plane& plane, const std::vector<int>& chain, Corner& corner) const;
 
   const Fan& fan_;
-  std::span<const Vec3> normal_;
+  std::span<const OffsetPlane> plane_;
   Vec3 single_;
   std::vector<Plane> planes_;
   static constexpr std::size_t kTriples = kMostPlanes * kMostPlanes * kMostPlanes;

@@ -22,17 +22,17 @@ class CornerDivider : private CopiedShell {
  public:
   using CopiedShell::listCopied;
 
-  CornerDivider(SweptMesh& mesh, std::span<const Vec3> faceNormal, const VertexTriangles& around,
-                std::size_t firstCopy, double sign)
-      : CopiedShell(mesh, around, firstCopy, sign), mesh_(mesh), normal_(faceNormal) {}
+  CornerDivider(SweptMesh& mesh, std::span<const Vec3> faceNormal, std::span<const OffsetPlane> plane,
+                const VertexTriangles& around, std::size_t firstCopy, double sign)
+      : CopiedShell(mesh, around, firstCopy, sign), mesh_(mesh), normal_(faceNormal), plane_(plane) {}
 
   void divide(VertexId v) {
     const std::optional<Fan> fan = copiedFan(v);
     if (!fan || !fan->isClosed()) return cut(v);
-    const Vec3 single = mesh_.copies[firstCopy_ + v].offset / (sign_ * mesh_.thickness);
-    CornerMaker maker(*fan, normal_, single);
+    const Vec3 single = mesh_.copies[firstCopy_ + v].offset / (sign_ * mesh_.thickness.at(v));
+    CornerMaker maker(*fan, plane_, single);
     double before = 0;
-    for (const TriangleId s : fan->triangle) before = std::max(before, std::abs(normal_[s].dot(single) - 1));
+    for (const TriangleId s : fan->triangle) before = std::max(before, offFrom(plane_[s], single));
     CornerSurroundings surroundings(*this, mesh_, normal_, around_, v, *fan);
     const auto most = surroundings.meetings(chainsAt(v, *fan));
     if (!most) return;
@@ -162,7 +162,7 @@ class CornerDivider : private CopiedShell {
         safety[c] = std::min(safety[c], normal_[fan.triangle[i]].dot(corner.m[c]) / corner.m[c].norm());
     Chain id;
     for (std::size_t c = 0; c < corner.m.size(); ++c)
-      id.push_back(add(v, sign_ * mesh_.thickness * corner.m[c], safety[c]));
+      id.push_back(add(v, sign_ * mesh_.thickness.at(v) * corner.m[c], safety[c]));
     mesh_.copies[firstCopy_ + v] = mesh_.copies.back();
     takeBack(mesh_.copies.size() - 1);
     id.back() = static_cast<std::uint32_t>(firstCopy_ + v);
@@ -179,13 +179,14 @@ class CornerDivider : private CopiedShell {
     constexpr double kMostShare = 0.45;  // of an edge, which may be cut from its other end, too
     constexpr double kBeyond = 1.25;     // of what the copies of v are along
     const std::size_t n = fan.triangle.size();
-    const double r = mesh_.thickness;
+    const double r = mesh_.thickness.at(v);
     bool any = false;
     for (std::size_t i = fan.isClosed() ? 0 : 1; i < n; ++i) {
       const std::size_t before = (i + n - 1) % n;
       if (!isCopied(fan.triangle[before]) || !isCopied(fan.triangle[i])) continue;
-      const Vec3 &a = normal_[fan.triangle[before]], &b = normal_[fan.triangle[i]];
-      const Vec3 m = (a + b) / (1 + a.dot(b));
+      const OffsetPlane &one = plane_[fan.triangle[before]], &other = plane_[fan.triangle[i]];
+      const Vec3 &a = one.normal, &b = other.normal;
+      const Vec3 m = (one.way + other.way) / 2 * (a + b) / (1 + a.dot(b));
       const Vec3 edge = mesh_.positions[fan.ring[i]] - mesh_.positions[v];
       const double length = edge.norm();
       double at = away * r;
@@ -193,8 +194,9 @@ class CornerDivider : private CopiedShell {
         at = std::max(at, kBeyond * (placeOf(c) - mesh_.positions[v]).dot(edge) / length);
       if (!(m.norm() <= kMitreLimit) || at > kMostShare * length) continue;
       any = true;
-      const Vec3 offset = sign_ * r * m + (at / length) * edge;
-      const std::uint32_t id = add(v, offset, r / offset.norm());
+      const double there = r + at / length * (mesh_.thickness.at(fan.ring[i]) - r);
+      const Vec3 offset = sign_ * there * m + (at / length) * edge;
+      const std::uint32_t id = add(v, offset, there / offset.norm());
       chains[i].push_back(id);
       chains[before].insert(chains[before].begin(), id);
     }
@@ -215,6 +217,7 @@ class CornerDivider : private CopiedShell {
 
   SweptMesh& mesh_;
   std::span<const Vec3> normal_;
+  std::span<const OffsetPlane> plane_;
   std::unordered_map<VertexId, Copy> single_;  // that a corner took the place of
 };
 
@@ -234,17 +237,19 @@ constexpr double kLong = 2;
 
 struct Corners::Impl {
   SweptMesh& mesh;
-  std::span<const Vec3> normal;
+  std::span<const std::vector<OffsetPlane>> plane;
   const VertexTriangles& around;
   std::vector<CornerDivider> shells;
   std::vector<std::uint8_t> cut;       ///< per copy that is single: whether it was
   std::vector<std::uint32_t> changed;  ///< copies
 };
 
-Corners::Corners(SweptMesh& mesh, std::span<const Vec3> faceNormal, const VertexTriangles& around)
-    : impl_(std::make_unique<Impl>(Impl{mesh, faceNormal, around, {}, {}, {}})) {
+Corners::Corners(SweptMesh& mesh, std::span<const Vec3> faceNormal,
+                 std::span<const std::vector<OffsetPlane>> plane, const VertexTriangles& around)
+    : impl_(std::make_unique<Impl>(Impl{mesh, plane, around, {}, {}, {}})) {
   for (std::size_t shell = 0; shell < mesh.shells; ++shell)
-    impl_->shells.emplace_back(mesh, faceNormal, around, shell * mesh.surfaceVertices, shell == 0 ? -1 : 1);
+    impl_->shells.emplace_back(mesh, faceNormal, plane[shell], around, shell * mesh.surfaceVertices,
+                               shell == 0 ? -1 : 1);
   impl_->cut.assign(mesh.shells * mesh.surfaceVertices, 0);
 }
 
@@ -253,17 +258,17 @@ Corners::~Corners() = default;
 void Corners::divide(double tolerance, std::span<const std::uint8_t> single) {
   SweptMesh& mesh = impl_->mesh;
   for (std::size_t shell = 0; shell < mesh.shells; ++shell) {
-    const double way = (shell == 0 ? -1 : 1) * mesh.thickness;
     CornerDivider& divider = impl_->shells[shell];
     for (VertexId v = 0; v < mesh.surfaceVertices; ++v) {
       const Copy& c = mesh.copies[shell * mesh.surfaceVertices + v];
       if (single[v] || c.dropped || c.safety < kLeastSafety) continue;
-      const Vec3 m = c.offset / way;
+      const double r = mesh.thickness.at(v);
+      const Vec3 m = c.offset / ((shell == 0 ? -1 : 1) * r);
       const auto fan = impl_->around.of(v);
       if (std::none_of(fan.begin(), fan.end(),
-                       [&](TriangleId s) { return std::abs(impl_->normal[s].dot(m) - 1) > tolerance; }))
+                       [&](TriangleId s) { return offFrom(impl_->plane[shell][s], m) > tolerance; }))
         continue;
-      if (!hasLongEdge(mesh, fan, v, kLong * mesh.thickness)) continue;
+      if (!hasLongEdge(mesh, fan, v, kLong * r)) continue;
       divider.divide(v);
       impl_->cut[shell * mesh.surfaceVertices + v] = 1;
     }
@@ -301,7 +306,7 @@ void Corners::cutShort(std::span<const double> depth) {
       const std::size_t i = shell * mesh.surfaceVertices + v;
       if (mesh.copies[i].dropped || mesh.copies[i].depth >= kShort * depth[i] ||
           std::exchange(impl_->cut[i], std::uint8_t{1}) ||
-          !hasLongEdge(mesh, impl_->around.of(v), v, kLong * mesh.thickness))
+          !hasLongEdge(mesh, impl_->around.of(v), v, kLong * mesh.thickness.at(v)))
         continue;
       divider.cut(v);
     }

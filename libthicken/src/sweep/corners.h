@@ -13,14 +13,17 @@
 #include <vector>
 
 #include "mesh/topology.h"
+#include "sweep/direction.h"
 #include "sweep/swept_mesh.h"
 
 namespace thicken {
 
 class Corners {
  public:
-  /// Of the copies of `mesh`; `faceNormal`, `around`: of S. All must outlive this.
-  Corners(SweptMesh& mesh, std::span<const Vec3> faceNormal, const VertexTriangles& around);
+  /// Of the copies of `mesh`; `faceNormal`, `around`: of S, `plane`: of its triangles, for each shell. All
+  /// must outlive this.
+  Corners(SweptMesh& mesh, std::span<const Vec3> faceNormal, std::span<const std::vector<OffsetPlane>> plane,
+          const VertexTriangles& around);
   ~Corners();
 
   /// Divides the copies that are off from a plane around them by more than `tolerance` · r, or cuts the

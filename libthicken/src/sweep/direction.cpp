@@ -91,13 +91,14 @@ bool holdsOrigin(const std::array<Vec3, 4>& s) {
   return true;
 }
 
-// Least squares over Σ area·(n·m − 1)² + the rim planes' Σ (c·m)², damped towards the mean normal.
+// Least squares over Σ area·(n·m − way)² + the rim planes' Σ (c·m)², damped towards the mean normal.
 class EvenDirection {
  public:
-  void addFace(const Vec3& n, double area, double altitude) {
+  void addFace(const Vec3& normal, const OffsetPlane& plane, double area, double altitude) {
     altitude_ += area * altitude;
-    a_ += area * n * n.transpose();
-    b_ += area * n;
+    a_ += area * plane.normal * plane.normal.transpose();
+    b_ += area * plane.way * plane.normal;
+    mean_ += area * normal;
     weight_ += area;
   }
   void addRim(const Vec3& conormal) {
@@ -113,7 +114,7 @@ class EvenDirection {
     return missing < excess ? kLongMitre : kLongestMitre;
   }
   [[nodiscard]] Vec3 solve() const {
-    const Vec3 mean = b_.stableNormalized();
+    const Vec3 mean = mean_.stableNormalized();
     const Eigen::Matrix3d a = a_ / weight_ + kRimWeight * rim_ + kDamping * Eigen::Matrix3d::Identity();
     return leanOutward(a.ldlt().solve(b_ / weight_ + kDamping * mean));
   }
@@ -136,7 +137,7 @@ class EvenDirection {
   int conormalCount_ = 0;
   Eigen::Matrix3d a_ = Eigen::Matrix3d::Zero();
   Eigen::Matrix3d rim_ = Eigen::Matrix3d::Zero();
-  Vec3 b_ = Vec3::Zero();
+  Vec3 b_ = Vec3::Zero(), mean_ = Vec3::Zero();
   double weight_ = 0, altitude_ = 0;
 };
 
@@ -170,9 +171,21 @@ Vec3 minNormPoint(std::span<const Vec3> points) {
   return x;
 }
 
-std::vector<SweepDirection> sweepDirections(const TriangleMesh& surface, std::span<const Vec3> faceNormal,
-                                            const VertexTriangles& around, const Rim& rim, double thickness,
-                                            int threads) {
+std::vector<OffsetPlane> offsetPlanes(const Job& job, std::span<const Vec3> faceNormal, double sign) {
+  std::vector<OffsetPlane> planes;
+  planes.reserve(faceNormal.size());
+  for (TriangleId t = 0; t < faceNormal.size(); ++t) {
+    // The points q − r(q)·n of the plane of t.
+    const double way = 1 / std::sqrt(1 + job.thickness.slope(t).squaredNorm());
+    planes.push_back({way * (faceNormal[t] - sign * job.thickness.slope(t)), way});
+  }
+  return planes;
+}
+
+std::vector<SweepDirection> sweepDirections(const Job& job, std::span<const Vec3> faceNormal,
+                                            std::span<const OffsetPlane> plane, const VertexTriangles& around,
+                                            const Rim& rim) {
+  const TriangleMesh& surface = job.surface;
   const std::size_t n = surface.positions.size();
   const auto rimAt = rimEdgesAt(n, rim);
   const auto evenDirection = [&](VertexId v) {
@@ -182,7 +195,7 @@ std::vector<SweepDirection> sweepDirections(const TriangleMesh& surface, std::sp
       const Vec3 &p = surface.positions[a], &q = surface.positions[b], &r = surface.positions[c];
       const double area = (q - p).cross(r - p).norm();
       const double longest = std::max({(q - p).norm(), (r - q).norm(), (p - r).norm()});
-      even.addFace(faceNormal[t], area, area / longest);
+      even.addFace(faceNormal[t], plane[t], area, area / longest);
     }
     for (const std::uint32_t i : rimAt[v]) {
       if (i == kNone) continue;
@@ -194,7 +207,7 @@ std::vector<SweepDirection> sweepDirections(const TriangleMesh& surface, std::sp
   };
   std::vector<SweepDirection> direction(n);
   constexpr std::size_t kGrain = 1024;
-  parallelFor(n, threads, RunContext(), kGrain, [&](std::size_t v) {
+  parallelFor(n, job.threads, RunContext(), kGrain, [&](std::size_t v) {
     const auto fan = around.of(static_cast<VertexId>(v));
     if (fan.empty()) return;
     thread_local std::vector<Vec3> normals;
@@ -213,7 +226,8 @@ std::vector<SweepDirection> sweepDirections(const TriangleMesh& surface, std::sp
         safety = 0;
       }
     }
-    if (const double most = even.longestMitre(m.norm(), thickness); m.norm() > most) m *= most / m.norm();
+    const double r = job.thickness.at(static_cast<VertexId>(v));
+    if (const double most = even.longestMitre(m.norm(), r); m.norm() > most) m *= most / m.norm();
     direction[v] = {m, safety};
   });
   return direction;

@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
+#include "job.h"
 #include "mesh/topology.h"
-#include "thicken/mesh.h"
 
 namespace thicken {
 
@@ -22,11 +22,21 @@ struct SweepDirection {
 /// Least safety of a copy that a float can keep behind all its triangles.
 inline constexpr double kLeastSafety = 0.05;
 
-/// One direction for every vertex of `surface` that a triangle uses; `thickness` in mm.
-[[nodiscard]] std::vector<SweepDirection> sweepDirections(const TriangleMesh& surface,
-                                                          std::span<const Vec3> faceNormal,
-                                                          const VertexTriangles& around, const Rim& rim,
-                                                          double thickness, int threads);
+/// The plane of a copied triangle at full depth, seen from a vertex v of the triangle: its point v − r·m has
+/// normal·m = way. It leans as the thickness grows.
+struct OffsetPlane {
+  Vec3 normal = Vec3::Zero();  ///< unit
+  double way = 1;              ///< in r of the vertex
+};
+
+/// Of all triangles of S; `sign` −1: behind S, 1: before it, where −m takes the place of m.
+[[nodiscard]] std::vector<OffsetPlane> offsetPlanes(const Job& job, std::span<const Vec3> faceNormal,
+                                                    double sign);
+
+/// One direction for every vertex of S that a triangle uses; `plane`: of the triangles.
+[[nodiscard]] std::vector<SweepDirection> sweepDirections(const Job& job, std::span<const Vec3> faceNormal,
+                                                          std::span<const OffsetPlane> plane,
+                                                          const VertexTriangles& around, const Rim& rim);
 
 /// Point of least norm in the convex hull of `points`; zero when the hull holds the origin.
 [[nodiscard]] Vec3 minNormPoint(std::span<const Vec3> points);

@@ -106,15 +106,14 @@ void setDepths(const std::span<Way> ways, const SweptMesh& mesh, const ClosestPo
 
 }  // namespace
 
-void setInitialDepths(SweptMesh& mesh, const ClosestPointTree& tree, const RunContext& context, int threads,
-                      std::span<const std::uint8_t> which) {
-  const SpatialOrder order(trianglesAtCopies(mesh), tree, threads);
-  order.forGroups(threads, context, [&](std::span<const std::uint32_t> copies) {
+void setInitialDepths(SweptMesh& mesh, const Job& job, std::span<const std::uint8_t> which) {
+  const SpatialOrder order(trianglesAtCopies(mesh), job.tree, job.threads);
+  order.forGroups(job.threads, job.context, [&](std::span<const std::uint32_t> copies) {
     std::array<Way, SpatialOrder::kTogether> ways;
     std::size_t count = 0;
     for (const std::uint32_t i : copies)
       if ((which.empty() || which[i]) && !mesh.copies[i].dropped) ways[count++] = {&mesh.copies[i]};
-    setDepths(std::span(ways).first(count), mesh, tree);
+    setDepths(std::span(ways).first(count), mesh, job.tree);
   });
 }
 

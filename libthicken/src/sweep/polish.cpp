@@ -30,16 +30,17 @@ constexpr double kDamping = 0.02;
 constexpr double kCutOff = 0.9;
 
 struct Sample {
-  Vec3 away = Vec3::Zero();  // unit, where the error grows; zero for a sample that does not count
+  Vec3 away = Vec3::Zero();  // gradient of the error; zero for a sample that does not count
   double excess = 0;         // mm, beyond its definition
+  double thickness = 0;      // mm, there
   TriangleId nearest = 0;    // of S
 };
 
 // Whether the points of a triangle are so near their place that another look changes nothing.
-bool isSettled(std::span<const Sample> samples, double thickness) {
+bool isSettled(std::span<const Sample> samples) {
   constexpr double kSettled = 3e-4;
   return std::all_of(samples.begin(), samples.end(),
-                     [&](const Sample& s) { return std::abs(s.excess) < kSettled * thickness; });
+                     [&](const Sample& s) { return std::abs(s.excess) < kSettled * s.thickness; });
 }
 
 // A quadric of one copy: where the points of the shell around it would be r away.
@@ -75,8 +76,9 @@ std::vector<TriangleId> wholeTriangles(const SweptMesh& mesh) {
 
 }  // namespace
 
-void polish(SweptMesh& mesh, const ClosestPointTree& tree, const OffsetError& error,
-            const RunContext& context, int threads) {
+void polish(SweptMesh& mesh, const Job& job, const OffsetError& error) {
+  const RunContext& context = job.context;
+  const int threads = job.threads;
   const auto shell = wholeTriangles(mesh);
   const std::size_t each = shellSamplesPerTriangle(shell.size());
   std::vector<Sample> samples(each * shell.size());
@@ -91,19 +93,19 @@ void polish(SweptMesh& mesh, const ClosestPointTree& tree, const OffsetError& er
   const std::vector<TriangleId> above = trianglesAbove(shell, mesh, threads);
   parallelFor(samples.size(), threads, context, 8192,
               [&](std::size_t i) { samples[i].nearest = above[i / each]; });
-  SpatialOrder order(above, tree, threads);
+  SpatialOrder order(above, job.tree, threads);
   std::vector<Vec3> start(mesh.copies.size());
   parallelFor(start.size(), threads, context, 8192, [&](std::size_t i) { start[i] = mesh.copies[i].offset; });
   std::vector<std::uint8_t> open(shell.size(), 1);  // whether a triangle is looked at
   for (int round = 0; round < kRounds; ++round) {
     if (round > 0) {  // they stay so: their points are not looked at again
       parallelFor(shell.size(), threads, context, 4096, [&](std::size_t i) {
-        open[i] = open[i] != 0 && !isSettled(std::span(samples).subspan(each * i, each), mesh.thickness);
+        open[i] = open[i] != 0 && !isSettled(std::span(samples).subspan(each * i, each));
       });
       order.eraseIf([&](std::uint32_t i) { return open[i] == 0; });
     }
     order.query<kMostShellSamples>(
-        tree, each, threads, context,
+        job.tree, each, threads, context,
         [&](std::uint32_t i, std::size_t k, ClosestPointTree::Query& query) {
           const Triangle& t = mesh.triangles[shell[i]];
           const Vec3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
@@ -114,9 +116,10 @@ void polish(SweptMesh& mesh, const ClosestPointTree& tree, const OffsetError& er
           return true;
         },
         [&](std::uint32_t i, std::size_t k, const Vec3& p, const ClosestPoint& c) {
-          const bool counts = !c.onRim && c.distance > kCutOff * mesh.thickness;
+          const double r = job.thickness.at(c);
+          const bool counts = !c.onRim && c.distance > kCutOff * r;
           const OffsetError::Error off = error.at(p, c);
-          samples[each * i + k] = {counts ? off.away : Vec3(Vec3::Zero()), off.mm, c.triangle};
+          samples[each * i + k] = {counts ? off.gradient : Vec3(Vec3::Zero()), off.mm, r, c.triangle};
         });
     // Each copy sums up in the order of the triangles, so that its place does not depend on the threads.
     parallelFor(mesh.copies.size(), threads, context, 1024, [&](std::size_t i) {
@@ -132,7 +135,7 @@ void polish(SweptMesh& mesh, const ClosestPointTree& tree, const OffsetError& er
           quadric.add(samples[each * triangle + k], kShellSamples[k][corner], area[triangle]);
       }
       const Vec3 moved = c.offset + kStep * quadric.step() - start[i];
-      const double reach = kReach * mesh.thickness;
+      const double reach = kReach * job.thickness.at(c.base);
       c.offset = start[i] + moved * std::min(1.0, reach / std::max(moved.norm(), reach * 1e-9));
       c.length = c.offset.norm();
       mesh.place(i);

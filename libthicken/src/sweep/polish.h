@@ -7,14 +7,11 @@
 
 #include "measure/offset_error.h"
 #include "sweep/swept_mesh.h"
-#include "thicken/closest_point.h"
-#include "thicken/run_context.h"
 
 namespace thicken {
 
 /// Changes the offsets of copies of depth 1 by damped least squares over points of the shell: the sum
 /// of area·error² goes down. The depths must be set; copies are placed anew.
-void polish(SweptMesh& mesh, const ClosestPointTree& tree, const OffsetError& error,
-            const RunContext& context, int threads);
+void polish(SweptMesh& mesh, const Job& job, const OffsetError& error);
 
 }  // namespace thicken

@@ -233,7 +233,7 @@ bool ShellSurgery::centre(const Hole& hole, std::uint32_t at, Patch& patch) cons
     const auto normals = outwardNormals(x, hole, patch.triangles);
     const Vec3 hull = normals.empty() ? Vec3::Zero() : minNormPoint(normals);
     if (hull.norm() < kLeastSafety) return false;
-    aim(c, hull, mesh_.thickness);
+    aim(c, hull, mesh_.thickness.at(c.base));
     return true;
   };
   Copy c = mesh_.copies[at];

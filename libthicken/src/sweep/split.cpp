@@ -213,7 +213,7 @@ std::optional<Division> bestDivision(const SweptMesh& mesh, const Fan& fan, std:
 
 // Gives the triangles of the second sector to a new copy of `id`'s vertex and adds the bridges.
 void divide(SweptMesh& mesh, const Fan& fan, const Division& d, std::uint32_t id,
-            std::span<const TriangleId> uses, double sign, double thickness) {
+            std::span<const TriangleId> uses, double sign) {
   const VertexId v = mesh.copies[id].base, a = mesh.vertexOf(id), b = mesh.vertexOf(mesh.copies.size());
   const auto baseOf = [&](VertexId x) { return mesh.isCopy(x) ? mesh.copyOf(x).base : x; };
   std::unordered_map<VertexId, VertexId> copyOnRing;
@@ -241,7 +241,7 @@ void divide(SweptMesh& mesh, const Fan& fan, const Division& d, std::uint32_t id
     mesh.add(t, wall ? Region::kWall : Region::kShell, kNone);
   }
   const auto aim = [&](Copy& c, const Sector& s) {
-    c.offset = sign * thickness * s.m;
+    c.offset = sign * mesh.thickness.at(v) * s.m;
     c.length = c.offset.norm();
     c.safety = s.safety;
   };
@@ -265,8 +265,7 @@ void markBlockedRimCopies(SweptMesh& mesh, const VertexTriangles& around, const 
 }
 
 std::vector<std::uint32_t> splitCopies(SweptMesh& mesh, std::span<const Vec3> faceNormal,
-                                       const VertexTriangles& around, double thickness,
-                                       std::span<const std::uint32_t> ids) {
+                                       const VertexTriangles& around, std::span<const std::uint32_t> ids) {
   std::vector<std::uint32_t> unserved;
   if (ids.empty()) return unserved;
   const VertexTriangles uses = vertexTriangles(mesh.positions.size(), mesh.triangles);
@@ -285,7 +284,7 @@ std::vector<std::uint32_t> splitCopies(SweptMesh& mesh, std::span<const Vec3> fa
       unserved.push_back(id);
       continue;
     }
-    divide(mesh, fan, *division, id, uses.of(mesh.vertexOf(id)), sign, thickness);
+    divide(mesh, fan, *division, id, uses.of(mesh.vertexOf(id)), sign);
     divided.insert(v);
   }
   return unserved;

@@ -23,7 +23,7 @@ void markBlockedRimCopies(SweptMesh& mesh, const VertexTriangles& around, const 
 /// exact tests next to the vertex, and takes the one with the safest directions. Returns the copies
 /// that no division serves.
 [[nodiscard]] std::vector<std::uint32_t> splitCopies(SweptMesh& mesh, std::span<const Vec3> faceNormal,
-                                                     const VertexTriangles& around, double thickness,
+                                                     const VertexTriangles& around,
                                                      std::span<const std::uint32_t> ids);
 
 }  // namespace thicken

@@ -176,8 +176,10 @@ double shareShort(SweptMesh& mesh, const CopyGraph& graph, const ConflictTester&
 // Draws back, drops what stays in the way, and lets the rest advance again to `free`, the depth that is free
 // below each copy, from its own. Only copies of vertices that `single` marks are dropped: others may be in
 // the way because of their corner.
-Settled settle(SweptMesh& mesh, const VertexTriangles& around, std::span<const std::uint8_t> single,
-               std::span<const double> free, double mostShort, const RunContext& context, int threads) {
+Settled settle(SweptMesh& mesh, const Job& job, const VertexTriangles& around,
+               std::span<const std::uint8_t> single, std::span<const double> free, double mostShort) {
+  const RunContext& context = job.context;
+  const int threads = job.threads;
   Settled settled;
   std::vector<double> goal;
   std::vector<std::uint32_t> before;
@@ -222,11 +224,10 @@ Settled settle(SweptMesh& mesh, const VertexTriangles& around, std::span<const s
 
 // After corners changed: the depth that is free below copies that are new or stand beside new ones, which
 // begin there again. All others stay as deep as they are.
-void beginAgain(SweptMesh& mesh, Corners& corners, std::vector<double>& free, const ClosestPointTree& tree,
-                const RunContext& context, int threads) {
+void beginAgain(SweptMesh& mesh, const Job& job, Corners& corners, std::vector<double>& free) {
   std::vector<std::uint8_t> changed(mesh.copies.size(), 0);
   for (const std::uint32_t i : corners.takeChanged()) changed[i] = 1;
-  setInitialDepths(mesh, tree, context, threads, changed);
+  setInitialDepths(mesh, job, changed);
   free.resize(mesh.copies.size(), 0);
   for (std::size_t i = 0; i < changed.size(); ++i)
     if (changed[i]) free[i] = mesh.copies[i].depth;
@@ -234,14 +235,14 @@ void beginAgain(SweptMesh& mesh, Corners& corners, std::vector<double>& free, co
 
 // Small triangles around copies that were drawn back let all others be as deep as they were to be (`free`).
 // Where that is not clear the sweep stays as it is.
-void cutShort(SweptMesh& mesh, Corners& corners, std::vector<double>& free, const VertexTriangles& around,
-              const ClosestPointTree& tree, Settled& settled, const RunContext& context, int threads) {
+void cutShort(SweptMesh& mesh, const Job& job, Corners& corners, std::vector<double>& free,
+              const VertexTriangles& around, Settled& settled) {
   SweptMesh before = mesh;
   corners.cutShort(free);
   if (mesh.copies.size() == before.copies.size()) return;
-  beginAgain(mesh, corners, free, tree, context, threads);
+  beginAgain(mesh, job, corners, free);
   const std::vector<std::uint8_t> single(mesh.surfaceVertices, 0);
-  Settled again = settle(mesh, around, single, free, 1, context, threads);
+  Settled again = settle(mesh, job, around, single, free, 1);
   again.rounds += settled.rounds;
   if (again.hopeless.empty())
     settled = std::move(again);
@@ -268,12 +269,11 @@ struct Nearest {
   std::vector<TriangleId> triangle;
 };
 
-Nearest nearestToCopies(const SweptMesh& mesh, const ClosestPointTree& tree, const RunContext& context,
-                        int threads) {
+Nearest nearestToCopies(const SweptMesh& mesh, const Job& job) {
   Nearest nearest{std::vector<double>(mesh.copies.size(), kInfinite), trianglesAtCopies(mesh)};
-  SpatialOrder(nearest.triangle, tree, threads)
+  SpatialOrder(nearest.triangle, job.tree, job.threads)
       .query(
-          tree, 1, threads, context,
+          job.tree, 1, job.threads, job.context,
           [&](std::uint32_t i, std::size_t, ClosestPointTree::Query& query) {
             query.point = mesh.positions[mesh.vertexOf(i)];
             query.hint = nearest.triangle[i];
@@ -307,11 +307,10 @@ std::vector<double> depthsOf(const SweptMesh& mesh, std::span<const double> dist
 }
 
 // Drops the positions that no triangle uses, except S's own, so that ids of S stay.
-SweepResult finish(const SweptMesh& mesh, const ClosestPointTree& tree, Side side, const RunContext& context,
-                   int threads) {
+SweepResult finish(const SweptMesh& mesh, const Job& job) {
   constexpr std::size_t kGrain = 8192;
   SweepResult result;
-  const Nearest nearest = nearestToCopies(mesh, tree, context, threads);
+  const Nearest nearest = nearestToCopies(mesh, job);
   result.depth = depthsOf(mesh, nearest.distance);
   std::vector<VertexId> to(mesh.positions.size()), from;
   from.reserve(to.size());
@@ -324,7 +323,7 @@ SweepResult finish(const SweptMesh& mesh, const ClosestPointTree& tree, Side sid
   result.base.resize(from.size());
   result.distance.resize(from.size());
   result.nearest.resize(from.size());
-  parallelFor(from.size(), threads, context, kGrain, [&](std::size_t i) {
+  parallelFor(from.size(), job.threads, job.context, kGrain, [&](std::size_t i) {
     const VertexId v = from[i];
     result.mesh.positions[i] = mesh.positions[v];
     result.base[i] = mesh.isCopy(v) ? mesh.copyOf(v).base : v;
@@ -332,89 +331,93 @@ SweepResult finish(const SweptMesh& mesh, const ClosestPointTree& tree, Side sid
     result.distance[i] = nearest.distance[v - mesh.surfaceVertices];
     result.nearest[i] = nearest.triangle[v - mesh.surfaceVertices];
   });
-  const std::size_t first = side == Side::kBoth ? mesh.surfaceTriangles : 0;  // S lies inside then
+  const std::size_t first =
+      job.options.side == Side::kBoth ? mesh.surfaceTriangles : 0;  // S lies inside then
   result.mesh.triangles.resize(mesh.triangles.size() - first);
   result.region.assign(mesh.region.begin() + static_cast<std::ptrdiff_t>(first), mesh.region.end());
-  parallelFor(result.mesh.triangles.size(), threads, context, kGrain, [&](std::size_t i) {
+  parallelFor(result.mesh.triangles.size(), job.threads, job.context, kGrain, [&](std::size_t i) {
     const auto& [a, b, c] = mesh.triangles[first + i];
     result.mesh.triangles[i] = {to[a], to[b], to[c]};
   });
   return result;
 }
 
+// S as the sweep looks at it.
+struct Fans {
+  std::vector<Vec3> normal;                     // per triangle
+  std::vector<std::vector<OffsetPlane>> plane;  // per triangle, for each shell
+  VertexTriangles around;
+  Rim rim;
+};
+
 // Makes corners, and settles the copies; those that must draw back until their copies are one are no corners,
 // and are undone. Returns whether it is settled.
-bool settleWithCorners(SweptMesh& mesh, const TriangleMesh& surface, std::span<const Vec3> normal,
-                       const VertexTriangles& around, const ClosestPointTree& tree,
-                       std::vector<std::uint8_t>& single, Polish polishing, double mostShort,
-                       Settled& settled, const RunContext& context, int threads) {
-  Corners corners(mesh, normal, around);
+bool settleWithCorners(SweptMesh& mesh, const Job& job, const Fans& fans, std::vector<std::uint8_t>& single,
+                       Polish polishing, double mostShort, Settled& settled) {
+  const VertexTriangles& around = fans.around;
+  Corners corners(mesh, fans.normal, fans.plane, around);
   corners.divide(kCornerOff, single);
   (void)corners.takeChanged();
-  setInitialDepths(mesh, tree, context, threads);
-  parallelFor(mesh.copies.size(), threads, context, 4096, [&](std::size_t i) { mesh.place(i); });
-  if (polishing == Polish::kYes)
-    polish(mesh, tree, OffsetError(surface, normal, around, mesh.thickness, Join::kMitre), context, threads);
+  setInitialDepths(mesh, job);
+  parallelFor(mesh.copies.size(), job.threads, job.context, 4096, [&](std::size_t i) { mesh.place(i); });
+  if (polishing == Polish::kYes) polish(mesh, job, OffsetError(job, fans.normal, around, Join::kMitre));
   std::vector<double> free;
   for (const Copy& c : mesh.copies) free.push_back(c.depth);
   for (int retries = 0;; ++retries) {
-    settled = settle(mesh, around, single, free, mostShort, context, threads);
+    settled = settle(mesh, job, around, single, free, mostShort);
     if (settled.isShort) return true;
     if (settled.hopeless.empty()) break;
-    const std::vector<VertexId> fresh = markAround(surface, around, settled.hopeless, single);
+    const std::vector<VertexId> fresh = markAround(job.surface, around, settled.hopeless, single);
     if (fresh.empty() || retries == kMostCornerRetries || !corners.undo(fresh)) return false;
-    beginAgain(mesh, corners, free, tree, context, threads);
+    beginAgain(mesh, job, corners, free);
   }
-  if (polishing == Polish::kYes) cutShort(mesh, corners, free, around, tree, settled, context, threads);
+  if (polishing == Polish::kYes) cutShort(mesh, job, corners, free, around, settled);
   return true;
 }
 
-}  // namespace
-
-namespace {
-
-std::optional<SweepResult> sweepWith(const TriangleMesh& surface, const ClosestPointTree& tree,
-                                     double thickness, Side side, Polish polishing, double mostShort,
-                                     const RunContext& context, int threads) {
-  const auto normal = faceNormals(surface.positions, surface.triangles, threads);
-  const auto around = vertexTriangles(surface.positions.size(), surface.triangles, threads);
-  const Rim rim = rimOf(surface.positions.size(), surface.triangles, threads);
-  const auto direction = sweepDirections(surface, normal, around, rim, thickness, threads);
-  SweptMesh mesh = sweepMesh(surface, direction, rim, thickness, side, threads);
-  markBlockedRimCopies(mesh, around, rim);
-  mergeFolds(mesh, around, copiesWithoutDirection(mesh));
-  const auto unserved = splitCopies(mesh, normal, around, thickness, copiesWithoutDirection(mesh));
-  if (const auto stuck = drop(mesh, around, unserved); !stuck.empty())
+std::optional<SweepResult> sweepWith(const Job& job, Polish polishing, double mostShort) {
+  const auto& [positions, triangles] = job.surface;
+  Fans fans{faceNormals(positions, triangles, job.threads),
+            {},
+            vertexTriangles(positions.size(), triangles, job.threads),
+            rimOf(positions.size(), triangles, job.threads)};
+  std::vector<std::vector<SweepDirection>> direction;
+  for (const double sign : {-1.0, 1.0}) {
+    if (sign > 0 && job.options.side != Side::kBoth) break;
+    fans.plane.push_back(offsetPlanes(job, fans.normal, sign));
+    direction.push_back(sweepDirections(job, fans.normal, fans.plane.back(), fans.around, fans.rim));
+  }
+  SweptMesh mesh = sweepMesh(job, direction, fans.rim);
+  markBlockedRimCopies(mesh, fans.around, fans.rim);
+  mergeFolds(mesh, fans.around, copiesWithoutDirection(mesh));
+  const auto unserved = splitCopies(mesh, fans.normal, fans.around, copiesWithoutDirection(mesh));
+  if (const auto stuck = drop(mesh, fans.around, unserved); !stuck.empty())
     throwNoSolidAt(mesh, basesOf(mesh, stuck));
   // Vertices that get no corner: all, where only the room below S is asked for.
-  std::vector<std::uint8_t> single(surface.positions.size(), polishing == Polish::kNo ? 1 : 0);
+  std::vector<std::uint8_t> single(positions.size(), polishing == Polish::kNo ? 1 : 0);
   Settled settled;
   for (const SweptMesh plain = mesh;; mesh = plain) {
-    if (settleWithCorners(mesh, surface, normal, around, tree, single, polishing, mostShort, settled, context,
-                          threads))
-      break;
+    if (settleWithCorners(mesh, job, fans, single, polishing, mostShort, settled)) break;
     // Where corners cannot be undone, no vertex gets one.
     if (std::find(single.begin(), single.end(), 0) == single.end()) throwNoSolidAt(mesh, settled.hopeless);
     std::fill(single.begin(), single.end(), std::uint8_t{1});
   }
   if (settled.isShort) return std::nullopt;
-  SweepResult result = finish(mesh, tree, side, context, threads);
+  SweepResult result = finish(mesh, job);
   result.rounds = settled.rounds;
-  if (side != Side::kBoth) result.order = std::move(settled.order);  // else S is no part of the result
+  // On both sides S is no part of the result.
+  if (job.options.side != Side::kBoth) result.order = std::move(settled.order);
   return result;
 }
 
 }  // namespace
 
-SweepResult sweep(const TriangleMesh& surface, const ClosestPointTree& tree, double thickness, Side side,
-                  const RunContext& context, int threads, Polish polishing) {
-  return *sweepWith(surface, tree, thickness, side, polishing, 1, context, threads);
+SweepResult sweep(const Job& job, Polish polishing) {
+  return *sweepWith(job, polishing, 1);
 }
 
-std::optional<SweepResult> sweepUnlessShort(const TriangleMesh& surface, const ClosestPointTree& tree,
-                                            double thickness, double mostShort, const RunContext& context,
-                                            int threads) {
-  return sweepWith(surface, tree, thickness, Side::kNegative, Polish::kYes, mostShort, context, threads);
+std::optional<SweepResult> sweepUnlessShort(const Job& job, double mostShort) {
+  return sweepWith(job, Polish::kYes, mostShort);
 }
 
 }  // namespace thicken

@@ -8,11 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "thicken/closest_point.h"
-#include "thicken/mesh.h"
-#include "thicken/options.h"
+#include "job.h"
 #include "thicken/result.h"
-#include "thicken/run_context.h"
 
 namespace thicken {
 
@@ -35,17 +32,12 @@ struct SweepResult {
 /// Whether copies are moved to their exact distance, which the sweep itself does not need.
 enum class Polish : std::uint8_t { kNo, kYes };
 
-/// Sweeps `surface` (valid, welded) by `thickness` mm to its negative side or to both. `tree` is the
-/// tree of `surface`. Throws kNoSolid with the place where not even the least depth is clear.
-[[nodiscard]] SweepResult sweep(const TriangleMesh& surface, const ClosestPointTree& tree, double thickness,
-                                Side side, const RunContext& context, int threads,
-                                Polish polishing = Polish::kYes);
+/// Sweeps S to its negative side or to both. Throws kNoSolid with the place where not even the least depth is
+/// clear.
+[[nodiscard]] SweepResult sweep(const Job& job, Polish polishing = Polish::kYes);
 
-/// As sweep() to the negative side. Nothing where the shell of more than the share `mostShort` of S's area
-/// would be short of the thickness, by an estimate that is made before anything is drawn back.
-[[nodiscard]] std::optional<SweepResult> sweepUnlessShort(const TriangleMesh& surface,
-                                                          const ClosestPointTree& tree, double thickness,
-                                                          double mostShort, const RunContext& context,
-                                                          int threads);
+/// As sweep(). Nothing where the shell of more than the share `mostShort` of S's area would be short of the
+/// thickness, by an estimate that is made before anything is drawn back.
+[[nodiscard]] std::optional<SweepResult> sweepUnlessShort(const Job& job, double mostShort);
 
 }  // namespace thicken

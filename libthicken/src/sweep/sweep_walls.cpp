@@ -34,52 +34,52 @@ SweptMesh wallsOf(const SweptMesh& whole) {
 }
 
 // Returns whether every wall got a clear depth.
-bool settleWalls(SweptMesh& walls, const ClosestPointTree& tree, std::size_t& rounds,
-                 const RunContext& context, int threads) {
-  setInitialDepths(walls, tree, context, threads);
-  const CopyGraph graph = copyGraph(walls, threads);
+bool settleWalls(SweptMesh& walls, const Job& job, std::size_t& rounds) {
+  setInitialDepths(walls, job);
+  const CopyGraph graph = copyGraph(walls, job.threads);
   limitSlope(walls, graph, {});
   std::vector<double> goal;
   for (std::size_t i = 0; i < walls.copies.size(); ++i) {
     goal.push_back(walls.copies[i].depth);
     walls.place(i);
   }
-  ConflictTester tester(walls, context, threads);
-  const RetreatResult result = retreat(walls, graph, tester, tester.all(), context);
+  ConflictTester tester(walls, job.context, job.threads);
+  const RetreatResult result = retreat(walls, graph, tester, tester.all(), job.context);
   if (!result.buried.empty() || !result.stuck.empty()) return false;
   rounds = result.rounds;
-  advance(walls, graph, tester, goal, context);
+  advance(walls, graph, tester, goal, job.context);
   return true;
 }
 
 }  // namespace
 
-std::optional<SweepResult> sweepWalls(const TriangleMesh& surface, const ClosestPointTree& tree,
-                                      double thickness, const RunContext& context, int threads) {
-  const auto normal = faceNormals(surface.positions, surface.triangles, threads);
-  const auto around = vertexTriangles(surface.positions.size(), surface.triangles, threads);
-  const Rim rim = rimOf(surface.positions.size(), surface.triangles, threads);
-  SweptMesh whole = sweepMesh(surface, sweepDirections(surface, normal, around, rim, thickness, threads), rim,
-                              thickness, Side::kNegative, threads);
+std::optional<SweepResult> sweepWalls(const Job& job) {
+  const TriangleMesh& surface = job.surface;
+  const auto normal = faceNormals(surface.positions, surface.triangles, job.threads);
+  const auto around = vertexTriangles(surface.positions.size(), surface.triangles, job.threads);
+  const Rim rim = rimOf(surface.positions.size(), surface.triangles, job.threads);
+  const std::vector<std::vector<SweepDirection>> direction{
+      sweepDirections(job, normal, offsetPlanes(job, normal, -1), around, rim)};
+  SweptMesh whole = sweepMesh(job, direction, rim);
   markBlockedRimCopies(whole, around, rim);
   SweptMesh walls = wallsOf(whole);
   for (const Copy& c : walls.copies)
     if (!c.dropped && c.safety < kLeastSafety) return std::nullopt;
   SweepResult result;
-  if (!settleWalls(walls, tree, result.rounds, context, threads)) return std::nullopt;
+  if (!settleWalls(walls, job, result.rounds)) return std::nullopt;
 
   result.shellProved = false;
   result.mesh.triangles = std::move(whole.triangles);
   result.region = std::move(whole.region);
-  result.depth.assign(surface.positions.size(), thickness);
+  for (VertexId v = 0; v < surface.positions.size(); ++v) result.depth.push_back(job.thickness.at(v));
   result.distance.assign(walls.positions.size(), 0);
   for (VertexId v = 0; v < walls.positions.size(); ++v)
     result.base.push_back(walls.isCopy(v) ? walls.copyOf(v).base : v);
   result.mesh.positions = std::move(walls.positions);
-  parallelFor(walls.copies.size(), threads, context, 512, [&](std::size_t i) {
+  parallelFor(walls.copies.size(), job.threads, job.context, 512, [&](std::size_t i) {
     if (walls.copies[i].dropped) return;
     const VertexId v = walls.vertexOf(i);
-    result.distance[v] = tree.distance(result.mesh.positions[v]);
+    result.distance[v] = job.tree.distance(result.mesh.positions[v]);
     result.depth[walls.copies[i].base] = result.distance[v];
   });
   return result;

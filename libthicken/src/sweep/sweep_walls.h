@@ -13,7 +13,6 @@ namespace thicken {
 /// nothing is known of it (`shellProved` is false; `distance` is 0 and `depth` the thickness where no wall
 /// hangs). nullopt where copies on the rim have no direction, or walls no clear depth, of their own; sweep()
 /// can do more about them.
-[[nodiscard]] std::optional<SweepResult> sweepWalls(const TriangleMesh& surface, const ClosestPointTree& tree,
-                                                    double thickness, const RunContext& context, int threads);
+[[nodiscard]] std::optional<SweepResult> sweepWalls(const Job& job);
 
 }  // namespace thicken

@@ -12,22 +12,22 @@ namespace {
 
 // Adds one copy of every vertex, `sign`·r·m away, and the copied triangles. Behind S they are
 // reversed, so that they face away from the solid.
-VertexId addShell(SweptMesh& mesh, const TriangleMesh& surface, std::span<const SweepDirection> direction,
-                  double thickness, double sign, int threads) {
+VertexId addShell(SweptMesh& mesh, const Job& job, std::span<const SweepDirection> direction, double sign) {
+  const TriangleMesh& surface = job.surface;
   constexpr std::size_t kGrain = 8192;
   const std::size_t firstCopy = mesh.copies.size(), firstTriangle = mesh.triangles.size();
   const auto first = static_cast<VertexId>(mesh.surfaceVertices + firstCopy);
   mesh.copies.resize(firstCopy + surface.positions.size());
   mesh.positions.insert(mesh.positions.end(), surface.positions.begin(), surface.positions.end());
-  parallelFor(surface.positions.size(), threads, RunContext(), kGrain, [&](std::size_t v) {
+  parallelFor(surface.positions.size(), job.threads, RunContext(), kGrain, [&](std::size_t v) {
     Copy& c = mesh.copies[firstCopy + v];
     c.base = static_cast<VertexId>(v);
-    c.offset = sign * thickness * direction[v].m;
+    c.offset = sign * job.thickness.at(c.base) * direction[v].m;
     c.length = c.offset.norm();
     c.safety = direction[v].safety;
   });
   mesh.triangles.resize(firstTriangle + surface.triangles.size());
-  parallelFor(surface.triangles.size(), threads, RunContext(), kGrain, [&](std::size_t t) {
+  parallelFor(surface.triangles.size(), job.threads, RunContext(), kGrain, [&](std::size_t t) {
     const auto& [a, b, c] = surface.triangles[t];
     mesh.triangles[firstTriangle + t] =
         sign < 0 ? Triangle{first + c, first + b, first + a} : Triangle{first + a, first + b, first + c};
@@ -77,14 +77,14 @@ void SweptMesh::remove(std::span<const std::uint8_t> removed) {
   region.resize(kept);
 }
 
-SweptMesh sweepMesh(const TriangleMesh& surface, std::span<const SweepDirection> direction, const Rim& rim,
-                    double thickness, Side side, int threads) {
+SweptMesh sweepMesh(const Job& job, std::span<const std::vector<SweepDirection>> direction, const Rim& rim) {
+  const TriangleMesh& surface = job.surface;
   SweptMesh mesh;
+  mesh.thickness = job.thickness;
   mesh.surfaceVertices = surface.positions.size();
   mesh.surfaceTriangles = surface.triangles.size();
-  mesh.thickness = thickness;
   mesh.above.assign(surface.triangles.size(), kNone);
-  mesh.shells = side == Side::kBoth ? 2 : 1;
+  mesh.shells = direction.size();
   const std::size_t shells = mesh.shells, walls = 2 * shells * rim.edges.size();
   mesh.copies.reserve(shells * surface.positions.size());
   mesh.positions.reserve((1 + shells) * surface.positions.size());
@@ -93,10 +93,10 @@ SweptMesh sweepMesh(const TriangleMesh& surface, std::span<const SweepDirection>
   mesh.positions = surface.positions;  // with room for all of it
   mesh.triangles = surface.triangles;
   mesh.region.assign(surface.triangles.size(), Region::kOriginal);
-  const VertexId behind = addShell(mesh, surface, direction, thickness, -1, threads);
+  const VertexId behind = addShell(mesh, job, direction[0], -1);
   for (const RimEdge& e : rim.edges) addWall(mesh, e, 0, behind);
-  if (side == Side::kBoth) {
-    const VertexId before = addShell(mesh, surface, direction, thickness, 1, threads);
+  if (mesh.shells == 2) {
+    const VertexId before = addShell(mesh, job, direction[1], 1);
     for (const RimEdge& e : rim.edges) addWall(mesh, e, before, 0);
   }
   mesh.fixed.assign(mesh.triangles.size(), 0);

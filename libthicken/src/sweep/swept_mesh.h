@@ -9,10 +9,10 @@
 #include <span>
 #include <vector>
 
+#include "job.h"
 #include "mesh/topology.h"
 #include "sweep/direction.h"
 #include "thicken/mesh.h"
-#include "thicken/options.h"
 #include "thicken/result.h"
 
 namespace thicken {
@@ -39,7 +39,7 @@ struct SweptMesh {
       above;                 ///< per triangle: of the shell, the one of S that it is parallel to; else kNone
   std::vector<Copy> copies;  ///< copy i is vertex surfaceVertices + i
   std::size_t shells = 1;    ///< 2 on both sides
-  double thickness = 0;      ///< mm
+  Thickness thickness{0};
 
   [[nodiscard]] bool isCopy(VertexId v) const { return v >= surfaceVertices; }
   [[nodiscard]] Copy& copyOf(VertexId v) { return copies[v - surfaceVertices]; }
@@ -60,9 +60,8 @@ struct SweptMesh {
   void place(std::size_t copy);
 };
 
-/// The sweep of `surface` to depth 1 on `side` (kNegative or kBoth; the caller reverses S for
-/// kPositive). `thickness` in mm.
-[[nodiscard]] SweptMesh sweepMesh(const TriangleMesh& surface, std::span<const SweepDirection> direction,
-                                  const Rim& rim, double thickness, Side side, int threads);
+/// The sweep of S to depth 1 on the negative side, or on both; `direction` for each of its shells.
+[[nodiscard]] SweptMesh sweepMesh(const Job& job, std::span<const std::vector<SweepDirection>> direction,
+                                  const Rim& rim);
 
 }  // namespace thicken

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Values of the vertices of a mesh stay with the places of the vertices while the mesh is welded, mended or
+// divided.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "thicken/mesh.h"
+
+namespace thicken {
+
+/// For each vertex of `to` the value of the vertex of `from` in the same place. Throws kInvalidArgument, with
+/// `what` the values are, where vertices in one place have different ones, or none is there.
+[[nodiscard]] std::vector<double> valuesAt(const TriangleMesh& from, std::span<const double> values,
+                                           const TriangleMesh& to, std::string_view what);
+
+}  // namespace thicken
