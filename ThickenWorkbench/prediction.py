@@ -38,7 +38,11 @@ def bytes_of(triangles: int) -> int:
 
 def _told(size: SurfaceSize, arguments: dict[str, Any]) -> tuple[float, int]:
     given = {name: arguments[name] for name in _NAMES if name in arguments}
-    return forecast_mesh(size, arguments["thickness"], **given)
+    seconds, size_of_run = forecast_mesh(size, arguments["thickness"], **given)
+    if arguments.get("gap"):  # a run of its own, before
+        gap = forecast_mesh(size, arguments["gap"], **{k: v for k, v in given.items() if k not in ("cell", "resolution")})
+        return seconds + gap[0], max(size_of_run, gap[1])
+    return seconds, size_of_run
 
 
 def forecast(sizes: list[SurfaceSize], arguments: dict[str, Any]) -> Forecast:

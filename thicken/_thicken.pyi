@@ -52,7 +52,7 @@ def thicken(
     strict: bool = False,
     join: str | None = None,
     simplify: str = "auto",
-    gap: float = 0.0,
+    gap: float | None = None,
     threads: int = 0,
     context: RunContext | None = None,
 ) -> dict[str, Any]: ...
@@ -67,7 +67,6 @@ def forecast(
     cell: float | None = None,
     resolution: int | None = None,
     tolerance: float | None = None,
-    gap: float = 0.0,
     threads: int = 0,
 ) -> tuple[float, int]: ...
 def check(
@@ -99,7 +98,9 @@ def divide_into_sheets(
 ) -> list[tuple[NDArray[np.float64], NDArray[np.int64]]]: ...
 def weld(vertices: ArrayLike, triangles: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.int64]]: ...
 def read_mesh(path: str | PathLike[str]) -> tuple[NDArray[np.float64], NDArray[np.int64]]: ...
-def write_mesh(path: str | PathLike[str], vertices: ArrayLike, triangles: ArrayLike) -> None: ...
+def write_mesh(
+    path: str | PathLike[str], vertices: ArrayLike, triangles: ArrayLike, *, region: ArrayLike | None = None
+) -> None: ...
 def render_picture(
     vertices: ArrayLike,
     triangles: ArrayLike,

@@ -90,7 +90,6 @@ def forecast_mesh(
     cell: float | None = None,
     resolution: int | None = None,
     tolerance: float | None = None,
-    gap: float = 0.0,
     threads: int = 0,
 ) -> tuple[float, int]:
     """Return the seconds and the bytes that thicken_mesh() is likely to take for a surface of this size.
@@ -99,7 +98,7 @@ def forecast_mesh(
     """
     return native.load().forecast(
         *size[:2], thickness, diagonal=size.diagonal, side=side, method=method,
-        cell=cell, resolution=resolution, tolerance=tolerance, gap=gap, threads=threads,
+        cell=cell, resolution=resolution, tolerance=tolerance, threads=threads,
     )  # fmt: skip
 
 
@@ -121,7 +120,7 @@ def thicken_mesh(
     strict: bool = False,
     join: Literal["mitre", "round"] | None = None,
     simplify: Literal["off", "auto", "shell"] = "auto",
-    gap: float = 0.0,
+    gap: float | None = None,
     threads: int = 0,
     memory: float | None = None,
     precision: Literal["single", "double"] = "single",
@@ -286,10 +285,15 @@ def weld_mesh(vertices: ArrayLike, triangles: ArrayLike) -> tuple[NDArray[np.flo
 
 
 def read_mesh(path: str | os.PathLike[str]) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
-    """Return the vertices and triangles of a .stl, .ply, .obj or .off file, equal corners welded."""
+    """Return the vertices and triangles of a .stl, .ply, .obj, .off or .3mf file, equal corners welded."""
     return native.load().read_mesh(path)
 
 
-def write_mesh(path: str | os.PathLike[str], vertices: ArrayLike, triangles: ArrayLike) -> None:
-    """Write .stl, .ply, .obj, .off or .3mf, by the extension of `path`, whole or not at all."""
-    native.load().write_mesh(path, vertices, triangles)
+def write_mesh(
+    path: str | os.PathLike[str], vertices: ArrayLike, triangles: ArrayLike, *, region: ArrayLike | None = None
+) -> None:
+    """Write .stl, .ply, .obj, .off or .3mf, by the extension of `path`, whole or not at all.
+
+    With `region`, of a solid, a .3mf holds the regions of its triangles as colours; the other formats have none.
+    """
+    native.load().write_mesh(path, vertices, triangles, region=region)

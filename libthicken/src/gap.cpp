@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "gap.h"
+#include "thicken/gap.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
 #include "measure/warnings.h"
 #include "mesh/place_text.h"
 #include "mesh/topology.h"
-#include "parallel_for.h"
+#include "parallel/parallel_for.h"
+#include "plan.h"
 #include "repair/fans.h"
 #include "repair/outcome.h"
 #include "repair/workpiece.h"
@@ -25,10 +27,9 @@ constexpr double kTooSmall = 0.9;
 constexpr double kGapShare = 0.4;
 
 // What S is thickened to first. Its shell is round, so that it is at the gap from S beside edges of S, too.
-Options optionsOfGap(const Options& options) {
+Options optionsOfGap(double gap, const Options& options) {
   Options first = options;
-  first.gap = 0;
-  first.thickness = options.gap;
+  first.thickness = gap;
   first.cell.reset();
   first.resolution.reset();
   if (!first.join) first.join = Join::kRound;
@@ -38,7 +39,6 @@ Options optionsOfGap(const Options& options) {
 // What the gap surface is thickened to. It has no defects.
 Options optionsOfSolid(const Options& options) {
   Options second = options;
-  second.gap = 0;
   second.repair = second.strict = false;
   second.weld.reset();
   second.bridge.reset();
@@ -59,8 +59,8 @@ TriangleMesh surfaceOf(const Solid& solid, Region region, bool turned) {
   return surface;
 }
 
-// Parts of a shell may touch in points, and shreds lie between walls: a surface has neither. Parts of less than
-// the square of the gap go, but for the largest.
+// Parts of a shell may touch in points, and shreds lie between walls: a surface has neither. Parts of less
+// than the square of the gap go, but for the largest.
 TriangleMesh withoutShreds(TriangleMesh shell, double gap, double& leftOut) {
   const VertexTriangles around = vertexTriangles(shell.positions.size(), shell.triangles);
   repairing::Workpiece piece(std::move(shell));
@@ -78,8 +78,7 @@ TriangleMesh withoutShreds(TriangleMesh shell, double gap, double& leftOut) {
   const Components parts = componentsOf(piece.mesh.positions.size(), left);
   std::vector<double> size(parts.count, 0);
   for (std::size_t t = 0; t < left.size(); ++t) size[parts.ofTriangle[t]] += area[t];
-  const double least =
-      size.empty() ? 0 : std::min(gap * gap, *std::max_element(size.begin(), size.end()));
+  const double least = size.empty() ? 0 : std::min(gap * gap, *std::max_element(size.begin(), size.end()));
   TriangleMesh surface{std::move(piece.mesh.positions), {}};
   for (std::size_t t = 0; t < left.size(); ++t)
     if (size[parts.ofTriangle[t]] >= least)
@@ -101,16 +100,16 @@ void measureClearance(GapFacts& gap, const TriangleMesh& surface, const Triangle
   gap.leastPlace = solid.positions[static_cast<std::size_t>(least - distance.begin())];
 }
 
-void warnOfGap(Report& report) {
-  const GapFacts& gap = *report.gap;
+void warnOfGap(const GapFacts& gap, Report& report) {
   constexpr double kMuch = 1e-3;  // of the area
   if (gap.least >= kTooSmall * gap.asked && gap.shortShare < kMuch) return;
   report.warnings.insert(
       report.warnings.begin(),
-      fmt::format("the gap of {:.4g} mm is not kept everywhere: the solid comes within {:.4g} mm of the surface at "
-                  "{}, and {} of the surface has no room for 0.9 of the gap",
-                  gap.asked, gap.least, text(gap.leastPlace),
-                  gap.shortShare > 0 ? percentText(gap.shortShare) : "nothing"));
+      fmt::format(
+          "the gap of {:.4g} mm is not kept everywhere: the solid comes within {:.4g} mm of the surface at "
+          "{}, and {} of the surface has no room for 0.9 of the gap",
+          gap.asked, gap.least, text(gap.leastPlace),
+          gap.shortShare > 0 ? percentText(gap.shortShare) : "nothing"));
 }
 
 // What the report of the solid says of the run as a whole.
@@ -153,37 +152,42 @@ void addFirst(Report& report, const Report& first) {
 
 }  // namespace
 
-Solid thickenAtGap(const TriangleMesh& surface, const Options& options, RunContext context) {
-  const auto [begin, end] = context.part();
+GapSolid thickenAtGap(const TriangleMesh& surface, double gap, const Options& options, RunContext context,
+                      double begin, double end) {
+  requireValid(options);
+  if (!std::isfinite(gap) || gap <= 0)
+    throw Error(ErrorCode::kInvalidArgument,
+                fmt::format("the gap must be a positive number of millimetres, not {}", gap));
+  if (options.side == Side::kBoth)
+    throw Error(ErrorCode::kInvalidArgument,
+                "a gap is on one side of the surface, and so is the solid: ask for one side");
   const double middle = begin + kGapShare * (end - begin);
   context.setPart(begin, middle);
-  Solid first = thicken(surface, optionsOfGap(options), context);
-  GapFacts gap;
-  gap.asked = options.gap;
-  gap.error = first.report.shellError;
-  gap.shortShare = first.report.thinShare;
-  const bool turned = options.side == Side::kNegative;
-  TriangleMesh gapSurface =
-      withoutShreds(surfaceOf(first, Region::kShell, turned), options.gap, gap.leftOut);
-  if (gapSurface.triangles.empty())
-    throw Error(ErrorCode::kNoSolid,
-                fmt::format("no part of the surface has room for a gap of {:.4g} mm; ask for a smaller one",
-                            options.gap));
-  gap.surface = check(gapSurface, context, options.threads).facts;
+  Solid first = thicken(surface, optionsOfGap(gap, options), context);
+  GapSolid result;
+  GapFacts& facts = result.facts;
+  facts.asked = gap;
+  facts.error = first.report.shellError;
+  facts.shortShare = first.report.thinShare;
+  result.surface =
+      withoutShreds(surfaceOf(first, Region::kShell, options.side == Side::kNegative), gap, facts.leftOut);
+  if (result.surface.triangles.empty())
+    throw Error(
+        ErrorCode::kNoSolid,
+        fmt::format("no part of the surface has room for a gap of {:.4g} mm; ask for a smaller one", gap));
+  facts.surface = check(result.surface, context, options.threads).facts;
   context.setPart(middle, end);
   try {
-    Solid solid = thicken(gapSurface, optionsOfSolid(options), context);
-    measureClearance(gap, surfaceOf(first, Region::kOriginal, false), solid.mesh, context,
-                     threadCount(options.threads));
-    addFirst(solid.report, first.report);
-    solid.report.gap = gap;
-    warnOfGap(solid.report);
-    solid.gapSurface = std::move(gapSurface);
-    solid.repaired = std::move(first.repaired);
-    return solid;
+    result.solid = thicken(result.surface, optionsOfSolid(options), context);
   } catch (const Error& error) {
-    refuseBehindGap(error, first.report, options.gap);
+    refuseBehindGap(error, first.report, gap);
   }
+  measureClearance(facts, surfaceOf(first, Region::kOriginal, false), result.solid.mesh, context,
+                   threadCount(options.threads));
+  addFirst(result.solid.report, first.report);
+  warnOfGap(facts, result.solid.report);
+  result.solid.repaired = std::move(first.repaired);
+  return result;
 }
 
 }  // namespace thicken

@@ -13,6 +13,7 @@
 #include "plan.h"
 #include "platform/memory.h"
 #include "thicken/error.h"
+#include "thicken/io.h"
 #include "thicken/version.h"
 
 namespace thicken::program {
@@ -100,6 +101,12 @@ double toUnit(const std::string& word) {
   return found->second;
 }
 
+double positiveGap(double gap) {
+  if (!std::isfinite(gap) || gap <= 0)
+    throw CLI::ValidationError("--gap", "it must be a positive number of millimetres");
+  return gap;
+}
+
 // "1280x480"
 void setPictureSize(Arguments& arguments, const std::string& text) {
   const std::size_t cross = text.find('x');
@@ -138,7 +145,9 @@ void describeThicken(CLI::App& app, Arguments& arguments) {
       "Turns an open surface into a printable solid that keeps every triangle of the surface.\n"
       "Lengths are millimetres. `thicken check INPUT` examines a surface only, `thicken trim` cuts a part "
       "out.");
-  app.add_option("INPUT", arguments.input, "Surface: .stl, .ply, .obj or .off")->required()->type_name("");
+  app.add_option("INPUT", arguments.input, "Surface: .stl, .ply, .obj, .off or .3mf")
+      ->required()
+      ->type_name("");
   app.add_option("OUTPUT", arguments.output, "Solid: .stl, .ply, .obj, .off or .3mf")
       ->required()
       ->type_name("");
@@ -147,10 +156,13 @@ void describeThicken(CLI::App& app, Arguments& arguments) {
       ->required()
       ->check(length())
       ->type_name("R");
-  app.add_option("--gap", options.gap, "The solid begins so far from the surface, mm; default: at the surface")
+  app.add_option_function<double>(
+         "--gap", [&arguments](double gap) { arguments.gap = positiveGap(gap); },
+         "The solid begins so far from the surface, mm; default: at the surface")
       ->check(length())
       ->type_name("G");
-  app.add_option("--gap-surface", arguments.gapSurface, "With --gap: write the surface that the solid begins at")
+  app.add_option("--gap-surface", arguments.gapSurface,
+                 "With --gap: write the surface that the solid begins at")
       ->type_name("FILE");
   addChoice(app, "--side", options.side, std::vector{Side::kNegative, Side::kPositive, Side::kBoth},
             "Side of the surface for the material");
@@ -189,6 +201,8 @@ void describeThicken(CLI::App& app, Arguments& arguments) {
       "--sheets", arguments.sheets,
       "A solid for each sheet of a surface with three and more triangles at edges: objects of a .3mf, "
       "or numbered files");
+  app.add_flag("--colours", arguments.colours,
+               "Into a .3mf: surface, shell and wall in colours of their own");
   app.add_option("--picture", arguments.picture, "Draw the solid into this file, a .png")->type_name("FILE");
   app.add_option_function<std::string>(
          "--picture-size", [&arguments](const std::string& text) { setPictureSize(arguments, text); },
@@ -200,7 +214,9 @@ void describeThicken(CLI::App& app, Arguments& arguments) {
 
 void describeCheck(CLI::App& app, Arguments& arguments) {
   app.description("Says whether a surface can be thickened, or everything that is wrong with it.");
-  app.add_option("INPUT", arguments.input, "Surface: .stl, .ply, .obj or .off")->required()->type_name("");
+  app.add_option("INPUT", arguments.input, "Surface: .stl, .ply, .obj, .off or .3mf")
+      ->required()
+      ->type_name("");
 }
 
 // "X,Y,Z"
@@ -221,7 +237,9 @@ Vec3 toPoint(const std::string& text) {
 void describeTrim(CLI::App& app, Arguments& arguments) {
   app.description(
       "Cuts a part out of a surface along loops that run on it, and keeps all other triangles of it.");
-  app.add_option("INPUT", arguments.input, "Surface: .stl, .ply, .obj or .off")->required()->type_name("");
+  app.add_option("INPUT", arguments.input, "Surface: .stl, .ply, .obj, .off or .3mf")
+      ->required()
+      ->type_name("");
   app.add_option("OUTPUT", arguments.output, "Part: .stl, .ply, .obj, .off or .3mf")
       ->required()
       ->type_name("");
@@ -248,10 +266,10 @@ void refuseSharedPaths(const Arguments& arguments) {
     throw Error(ErrorCode::kInvalidArgument,
                 "OUTPUT names the file of a loop; give the part a name of its own");
   std::vector<std::filesystem::path> taken{arguments.input, arguments.output};
-  for (const auto& [path, flag, what] :
-       {std::tuple{arguments.repaired, "--repaired", "repaired surface"},
-        std::tuple{arguments.gapSurface, "--gap-surface", "gap surface"},
-        std::tuple{arguments.picture, "--picture", "picture"}, std::tuple{arguments.report, "--report", "report"}}) {
+  for (const auto& [path, flag, what] : {std::tuple{arguments.repaired, "--repaired", "repaired surface"},
+                                         std::tuple{arguments.gapSurface, "--gap-surface", "gap surface"},
+                                         std::tuple{arguments.picture, "--picture", "picture"},
+                                         std::tuple{arguments.report, "--report", "report"}}) {
     const auto isPath = [&path = path](const std::filesystem::path& other) { return samePath(path, other); };
     if (isLoop(path) || std::any_of(taken.begin(), taken.end(), isPath))
       throw Error(ErrorCode::kInvalidArgument,
@@ -266,11 +284,11 @@ void refuseSkipping(const Arguments& arguments) {
   if (arguments.report.empty())
     throw Error(ErrorCode::kInvalidArgument,
                 "--skip-if-same compares with the report of the last run; give --report, too");
-  for (const auto& [other, flag] : {std::pair{arguments.repaired, "--repaired"},
-                                    std::pair{arguments.gapSurface, "--gap-surface"}})
+  for (const auto& [other, flag] :
+       {std::pair{arguments.repaired, "--repaired"}, std::pair{arguments.gapSurface, "--gap-surface"}})
     if (!other.empty())
-      throw Error(ErrorCode::kInvalidArgument,
-                  std::string("--skip-if-same looks at one output; leave out ") + flag + ", or --skip-if-same");
+      throw Error(ErrorCode::kInvalidArgument, std::string("--skip-if-same looks at one output; leave out ") +
+                                                   flag + ", or --skip-if-same");
   if (arguments.sheets)
     throw Error(ErrorCode::kInvalidArgument,
                 "--skip-if-same looks at one solid; leave out --sheets, or --skip-if-same");
@@ -280,8 +298,8 @@ void refuseSkipping(const Arguments& arguments) {
 // here counts until it is known to be one of them.
 std::vector<std::string> optionsOfOutput(const CLI::App& app) {
   constexpr std::array<std::string_view, 11> kOthers{
-      "INPUT",     "OUTPUT",  "--report",       "--repaired", "--threads",
-      "--timeout", "--quiet", "--skip-if-same", "--picture",  "--picture-size", "--gap-surface"};
+      "INPUT",   "OUTPUT",         "--report",  "--repaired",     "--threads",    "--timeout",
+      "--quiet", "--skip-if-same", "--picture", "--picture-size", "--gap-surface"};
   std::vector<std::string> given;
   for (const CLI::Option* option : app.get_options()) {
     const std::string name = option->get_name();
@@ -335,9 +353,16 @@ Request readArguments(int argc, const char* const* argv) {
   if (!arguments.repaired.empty() && arguments.sheets)
     throw Error(ErrorCode::kInvalidArgument,
                 "--repaired writes one surface, and --sheets makes several; leave out one");
-  if (!arguments.gapSurface.empty() && (!(arguments.options.gap > 0) || arguments.sheets))
+  if (!arguments.gapSurface.empty() && arguments.gap == 0)
+    throw Error(ErrorCode::kInvalidArgument, "--gap-surface writes what --gap makes; give --gap, too");
+  if (arguments.gap > 0 && arguments.sheets)
     throw Error(ErrorCode::kInvalidArgument,
-                "--gap-surface writes what --gap makes of one surface; give --gap, and leave out --sheets");
+                "--gap is for one surface, and --sheets makes several; leave out one");
+  if (arguments.unit != 1 && namesItsUnit(arguments.input))
+    throw Error(ErrorCode::kInvalidArgument,
+                "a 3MF file names its unit itself, and is read in it; leave out --unit");
+  if (arguments.colours && !holdsColours(arguments.output))
+    throw Error(ErrorCode::kInvalidArgument, "--colours is for an OUTPUT of type .3mf, which holds colours");
   arguments.limitGiven = memory > 0;
   arguments.memoryLimit = memory > 0 ? static_cast<std::size_t>(memory * kMebibyte) : machineMemory();
   arguments.given = optionsOfOutput(app);
