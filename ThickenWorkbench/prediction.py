@@ -15,7 +15,7 @@ _KEY = "TimesForecast"
 _WEIGHT = 0.3
 
 # The arguments of thicken_mesh() that make a difference.
-_NAMES = ("side", "method", "cell", "resolution", "tolerance", "threads")
+_NAMES = ("side", "method", "cell", "resolution", "tolerance", "gap", "threads")
 
 
 class Forecast(NamedTuple):
@@ -38,11 +38,7 @@ def bytes_of(triangles: int) -> int:
 
 def _told(size: SurfaceSize, arguments: dict[str, Any]) -> tuple[float, int]:
     given = {name: arguments[name] for name in _NAMES if name in arguments}
-    seconds, size_of_run = forecast_mesh(size, arguments["thickness"], **given)
-    if arguments.get("gap"):  # a run of its own, before
-        gap = forecast_mesh(size, arguments["gap"], **{k: v for k, v in given.items() if k not in ("cell", "resolution")})
-        return seconds + gap[0], max(size_of_run, gap[1])
-    return seconds, size_of_run
+    return forecast_mesh(size, arguments["thickness"], **given)
 
 
 def forecast(sizes: list[SurfaceSize], arguments: dict[str, Any]) -> Forecast:

@@ -52,7 +52,7 @@ def thicken(
     strict: bool = False,
     join: str | None = None,
     simplify: str = "auto",
-    gap: float | None = None,
+    gap: float = 0.0,
     threads: int = 0,
     context: RunContext | None = None,
 ) -> dict[str, Any]: ...
@@ -67,6 +67,7 @@ def forecast(
     cell: float | None = None,
     resolution: int | None = None,
     tolerance: float | None = None,
+    gap: float = 0.0,
     threads: int = 0,
 ) -> tuple[float, int]: ...
 def check(

@@ -90,6 +90,7 @@ def forecast_mesh(
     cell: float | None = None,
     resolution: int | None = None,
     tolerance: float | None = None,
+    gap: float = 0.0,
     threads: int = 0,
 ) -> tuple[float, int]:
     """Return the seconds and the bytes that thicken_mesh() is likely to take for a surface of this size.
@@ -98,7 +99,7 @@ def forecast_mesh(
     """
     return native.load().forecast(
         *size[:2], thickness, diagonal=size.diagonal, side=side, method=method,
-        cell=cell, resolution=resolution, tolerance=tolerance, threads=threads,
+        cell=cell, resolution=resolution, tolerance=tolerance, gap=gap, threads=threads,
     )  # fmt: skip
 
 
@@ -120,7 +121,7 @@ def thicken_mesh(
     strict: bool = False,
     join: Literal["mitre", "round"] | None = None,
     simplify: Literal["off", "auto", "shell"] = "auto",
-    gap: float | None = None,
+    gap: float = 0.0,
     threads: int = 0,
     memory: float | None = None,
     precision: Literal["single", "double"] = "single",

@@ -100,7 +100,7 @@ class ThickenForm:
         rows.addRow(translate("Thicken", "Thickness"), self.thickness)
         self.gap = _named(length_box(0.0), "Gap")
         self.gap.setToolTip(
-            translate("Thicken", "The solid begins so far from the surface, and not at it; where there is no room the gap is less")
+            translate("Thicken", "The solid begins so far from the surface, and not at it; where there is no room it has a hole")
         )
         on_value(self.gap, lambda _: self._edited())
         rows.addRow(translate("Thicken", "Gap"), self.gap)
@@ -188,6 +188,19 @@ class ThickenForm:
             translate("Thicken", "Where new triangles are merged into fewer, as far as the quality allows")
         )
         rows.addRow(translate("Thicken", "Fewer triangles"), self.simplify)
+        self._add_grid_rows(rows)
+        self.smooth = _named(QtWidgets.QSpinBox(), "Smooth")
+        self.smooth.setRange(AUTOMATIC, 100)
+        self.smooth.setValue(AUTOMATIC)
+        self.smooth.setSpecialValueText(translate("Thicken", "Automatic"))
+        self.smooth.setToolTip(translate("Thicken", "Rounds of shape optimisation of the new surface"))
+        self.smooth.valueChanged.connect(lambda _: self._edited())
+        rows.addRow(translate("Thicken", "Smoothing"), self.smooth)
+        column.addWidget(self.advanced)
+        column.addWidget(self.advanced_rows)
+        self.advanced_rows.setVisible(False)
+
+    def _add_grid_rows(self, rows: Any) -> None:
         self.grid = self._choice("Grid", [
             translate("Thicken", "By the quality"),
             translate("Thicken", "Cell width"),
@@ -207,16 +220,6 @@ class ThickenForm:
         both.addWidget(self.length)
         both.addWidget(self.cells)
         rows.addRow("", both)
-        self.smooth = _named(QtWidgets.QSpinBox(), "Smooth")
-        self.smooth.setRange(AUTOMATIC, 100)
-        self.smooth.setValue(AUTOMATIC)
-        self.smooth.setSpecialValueText(translate("Thicken", "Automatic"))
-        self.smooth.setToolTip(translate("Thicken", "Rounds of shape optimisation of the new surface"))
-        self.smooth.valueChanged.connect(lambda _: self._edited())
-        rows.addRow(translate("Thicken", "Smoothing"), self.smooth)
-        column.addWidget(self.advanced)
-        column.addWidget(self.advanced_rows)
-        self.advanced_rows.setVisible(False)
 
     def _add_switches(self, column: Any) -> None:
         self.repair = self._switch("Repair", translate("Thicken", "Repair a defective surface first"), False)

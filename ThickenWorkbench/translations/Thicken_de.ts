@@ -929,10 +929,6 @@
         <translation>Nur Schale</translation>
     </message>
     <message>
-        <source>The solid begins so far from the surface, and not at it; where there is no room the gap is less</source>
-        <translation>Der Körper beginnt so weit von der Fläche entfernt und nicht an ihr; wo kein Platz ist, ist der Spalt kleiner</translation>
-    </message>
-    <message>
         <source>Gap</source>
         <translation>Spalt</translation>
     </message>
@@ -967,6 +963,10 @@
     <message>
         <source>The part that was clicked on stays.</source>
         <translation>Der angeklickte Teil bleibt.</translation>
+    </message>
+    <message>
+        <source>The solid begins so far from the surface, and not at it; where there is no room it has a hole</source>
+        <translation>Der Körper beginnt so weit von der Fläche entfernt und nicht an ihr; wo kein Platz ist, hat er ein Loch</translation>
     </message>
 </context>
 <context>

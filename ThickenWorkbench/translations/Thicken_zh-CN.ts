@@ -929,10 +929,6 @@
         <translation>仅壳</translation>
     </message>
     <message>
-        <source>The solid begins so far from the surface, and not at it; where there is no room the gap is less</source>
-        <translation>实体从距曲面这么远处开始，而不是从曲面开始；空间不足处间隙较小</translation>
-    </message>
-    <message>
         <source>Gap</source>
         <translation>间隙</translation>
     </message>
@@ -967,6 +963,10 @@
     <message>
         <source>The part that was clicked on stays.</source>
         <translation>保留被点击的部分。</translation>
+    </message>
+    <message>
+        <source>The solid begins so far from the surface, and not at it; where there is no room it has a hole</source>
+        <translation>实体从距曲面这么远处开始，而不是从曲面开始；空间不足处留有孔</translation>
     </message>
 </context>
 <context>

@@ -18,7 +18,8 @@ from typing import Any, NamedTuple
 
 MIB = 1 << 20
 # The workflow's own; a row cannot set them.
-OWN_OPTIONS = {"help", "version", "report", "repaired", "quiet", "skip-if-same"}
+OWN_OPTIONS = {"help", "version", "report", "repaired", "quiet", "skip-if-same", "picture",
+               "picture-size"}  # fmt: skip
 YES, NO = {"1", "yes", "true"}, {"", "0", "no", "false"}
 
 
@@ -165,8 +166,8 @@ def made_of(part: Part, version: str) -> list[Any]:
 
 
 def is_done(part: Part, folder: Folder, version: str) -> bool:
-    """Whether the part's row, report and, if there is to be one, solid are there and belong together. What was no
-    fault of the part's, such as a full disk, is tried again."""
+    """Whether the part's row, report and, if there are to be some, solid and picture are there and belong together.
+    What was no fault of the part's, such as a full disk, is tried again."""
     row = read_json(folder.row(part.name))
     if not row.get("final") or row.get("made_of") != made_of(part, version):
         return False
@@ -174,8 +175,10 @@ def is_done(part: Part, folder: Folder, version: str) -> bool:
         return False
     if not folder.report(part.name).is_file():
         return False
+    if row["status"] != "ok":
+        return True
     solid = folder.solid(part.name)
-    return row["status"] != "ok" or (solid.is_file() and solid.stat().st_size == row["solid_bytes"])
+    return folder.picture(part.name).is_file() and solid.is_file() and solid.stat().st_size == row["solid_bytes"]
 
 
 def fail(sentence: str) -> None:

@@ -17,9 +17,10 @@ from typing import Any
 
 from part_table import MIB, Folder, Part, is_done, made_of, read_json, write_whole
 
-# What a job takes beside the program, MiB: this script, with a picture in it.
-BESIDE = 200
+# What a job takes beside the program, MiB: this script and its shell take 20.
+BESIDE = 100
 LAST_ATTEMPT = 3
+_PICTURE = "96x72"  # pixels, as the summary shows it
 # The statuses of runs that something outside has ended: by a signal, and by one that the program has obeyed.
 _ENDED = (-1, 5)
 _MORE_TIME, _MORE_MEMORY = 4, 2
@@ -40,7 +41,7 @@ def run(program: str, part: Part, folder: Folder, limits: dict[str, Any]) -> tup
         return 2, _own_report(report, 2, "usage", part.fault)
     command = [program, part.source, str(folder.solid(part.name)), f"--threads={part.threads}", *part.arguments,
                f"--memory={limits['memory']}", f"--timeout={limits['timeout']}", f"--report={report}",
-               "--skip-if-same", "--quiet"]  # fmt: skip
+               f"--picture={folder.picture(part.name)}", f"--picture-size={_PICTURE}", "--skip-if-same", "--quiet"]  # fmt: skip
     ended = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
     lines = ended.stderr.decode(errors="replace").splitlines()
     told = read_json(report)
@@ -123,18 +124,6 @@ def _extract(told: dict[str, Any]) -> dict[str, Any]:
             "peak_mib": (told.get("memory", {}).get("peak_bytes") or 0) / MIB or None}  # fmt: skip
 
 
-def draw(solid: Path, picture: Path) -> None:
-    """A picture of the solid, where there is none that is as new."""
-    try:
-        if not solid.is_file() or (picture.is_file() and picture.stat().st_mtime >= solid.stat().st_mtime):
-            return
-        from part_picture import picture_of
-
-        write_whole(picture, picture_of(solid))
-    except (ImportError, ValueError, OSError, MemoryError) as error:  # a summary without it is worth having
-        print(f"batch: no picture of {solid.name}: {error}", flush=True)
-
-
 def main(job_file: str, attempt: int, memory: int) -> int:
     path = Path(job_file)
     with open(path.with_suffix(".lock"), "w") as lock:
@@ -145,9 +134,6 @@ def main(job_file: str, attempt: int, memory: int) -> int:
         parts = [Part(*part) for part in job["parts"]]
         left = [part for part in parts if not is_done(part, folder, job["version"])]
         again = [part for part in left if not make(job, part, folder, attempt, memory)]
-        # Last of all: what this script holds then would count as memory of the programs that it starts.
-        for part in parts:
-            draw(folder.solid(part.name), folder.picture(part.name))
     if again:
         return 1
     write_whole(path.with_suffix(".done"), f"{len(parts)} parts\n")

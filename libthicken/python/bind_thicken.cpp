@@ -44,15 +44,10 @@ py::dict toDict(Solid solid) {
   result["region"] = regionArray(solid.region);
   result["depth"] = numberArray(std::move(solid.depth));
   result["gap_surface"] = py::none();
-  return result;
-}
-
-py::dict toDict(GapSolid made) {
-  const py::object report = fromJson(toJson(made.solid.report, made.facts));
-  py::dict result = toDict(std::move(made.solid));
-  result["report"] = report;
-  const py::array corners = triangleArray(made.surface.triangles);
-  result["gap_surface"] = py::make_tuple(positionArray(std::move(made.surface.positions)), corners);
+  if (solid.gapSurface) {
+    const py::array corners = triangleArray(solid.gapSurface->triangles);
+    result["gap_surface"] = py::make_tuple(positionArray(std::move(solid.gapSurface->positions)), corners);
+  }
   return result;
 }
 
@@ -62,8 +57,7 @@ py::dict thickenArrays(const py::object& vertices, const py::object& triangles, 
                        std::optional<double> tolerance, std::optional<int> smooth, bool repair,
                        std::optional<double> weldDistance, std::optional<double> bridge,
                        std::optional<double> fillHoles, bool strict, const std::optional<std::string>& join,
-                       const std::string& simplify, std::optional<double> gap, int threads,
-                       const std::optional<RunContext>& context) {
+                       const std::string& simplify, double gap, int threads, const std::optional<RunContext>& context) {
   if (!std::isfinite(thickness) || thickness <= 0)
     throw py::value_error("thickness must be a finite length above 0 mm");
   Options options;
@@ -76,6 +70,7 @@ py::dict thickenArrays(const py::object& vertices, const py::object& triangles, 
   options.tolerance = tolerance;
   if (join) options.join = chosen(kJoins, "join", *join);
   options.simplify = chosen(kSimplify, "simplify", simplify);
+  options.gap = gap;
   options.smooth = smooth;
   options.repair = repair;
   options.weld = weldDistance;
@@ -85,15 +80,16 @@ py::dict thickenArrays(const py::object& vertices, const py::object& triangles, 
   options.threads = threads;
   const RunContext run = context.value_or(RunContext());
   const TriangleMesh surface = meshFrom(vertices, triangles);
-  if (gap) return toDict(runInterruptibly(run, [&] { return thickenAtGap(surface, *gap, options, run); }));
   return toDict(runInterruptibly(run, [&] { return thicken(surface, options, run); }));
 }
 
 py::tuple forecastOf(std::size_t triangles, double area, double thickness, double diagonal,
                      const std::string& side, const std::string& method, std::optional<double> cell,
-                     std::optional<int> resolution, std::optional<double> tolerance, int threads) {
+                     std::optional<int> resolution, std::optional<double> tolerance, double gap,
+                     int threads) {
   Options options;
   options.thickness = thickness;
+  options.gap = gap;
   options.side = chosen(kSides, "side", side);
   options.method = chosen(kMethods, "method", method);
   options.cell = cell;
@@ -134,18 +130,18 @@ py::tuple weldArrays(const py::object& vertices, const py::object& triangles) {
 
 void bindThicken(py::module_& module) {
   using py::arg;
-  module.def(
-      "thicken", &thickenArrays, arg("vertices"), arg("triangles"), arg("thickness"), py::kw_only(),
-      arg("side") = "negative", arg("method") = "auto", arg("precision") = "single", arg("cell") = py::none(),
-      arg("resolution") = py::none(), arg("tolerance") = py::none(), arg("smooth") = py::none(),
-      arg("repair") = false, arg("weld") = py::none(), arg("bridge") = py::none(),
-      arg("fill_holes") = py::none(), arg("strict") = false, arg("join") = py::none(),
-      arg("simplify") = "auto", arg("gap") = py::none(), arg("threads") = 0, arg("context") = py::none(),
-      "Thicken a surface; returns a dict of vertices, triangles, region, depth, gap_surface and report.");
+  module.def("thicken", &thickenArrays, arg("vertices"), arg("triangles"), arg("thickness"), py::kw_only(),
+             arg("side") = "negative", arg("method") = "auto", arg("precision") = "single",
+             arg("cell") = py::none(), arg("resolution") = py::none(), arg("tolerance") = py::none(),
+             arg("smooth") = py::none(), arg("repair") = false, arg("weld") = py::none(),
+             arg("bridge") = py::none(), arg("fill_holes") = py::none(), arg("strict") = false,
+             arg("join") = py::none(), arg("simplify") = "auto", arg("gap") = 0.0,
+             arg("threads") = 0, arg("context") = py::none(),
+             "Thicken a surface; returns a dict of vertices, triangles, region, depth, gap_surface and report.");
   module.def("forecast", &forecastOf, arg("triangles"), arg("area"), arg("thickness"), py::kw_only(),
              arg("diagonal") = 0.0, arg("side") = "negative", arg("method") = "auto",
              arg("cell") = py::none(), arg("resolution") = py::none(), arg("tolerance") = py::none(),
-             arg("threads") = 0,
+             arg("gap") = 0.0, arg("threads") = 0,
              "What thickening a surface of such a size is likely to take: seconds, and bytes at most.");
   module.def("check", &checkArrays, arg("vertices"), arg("triangles"), py::kw_only(), arg("threads") = 0,
              arg("context") = py::none(),

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "thicken/gap.h"
+#include "gap.h"
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
+#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "measure/warnings.h"
 #include "mesh/place_text.h"
 #include "mesh/topology.h"
 #include "parallel/parallel_for.h"
-#include "plan.h"
 #include "repair/fans.h"
 #include "repair/outcome.h"
 #include "repair/workpiece.h"
@@ -27,9 +28,10 @@ constexpr double kTooSmall = 0.9;
 constexpr double kGapShare = 0.4;
 
 // What S is thickened to first. Its shell is round, so that it is at the gap from S beside edges of S, too.
-Options optionsOfGap(double gap, const Options& options) {
+Options optionsOfGap(const Options& options) {
   Options first = options;
-  first.thickness = gap;
+  first.gap = 0;
+  first.thickness = options.gap;
   first.cell.reset();
   first.resolution.reset();
   if (!first.join) first.join = Join::kRound;
@@ -39,6 +41,7 @@ Options optionsOfGap(double gap, const Options& options) {
 // What the gap surface is thickened to. It has no defects.
 Options optionsOfSolid(const Options& options) {
   Options second = options;
+  second.gap = 0;
   second.repair = second.strict = false;
   second.weld.reset();
   second.bridge.reset();
@@ -59,12 +62,32 @@ TriangleMesh surfaceOf(const Solid& solid, Region region, bool turned) {
   return surface;
 }
 
+// How far each vertex is from S.
+std::vector<double> distances(const std::vector<Vec3>& positions, const ClosestPointTree& tree,
+                              const RunContext& context, int threads) {
+  std::vector<double> distance(positions.size());
+  parallelFor(distance.size(), threads, context, 256,
+              [&](std::size_t v) { distance[v] = tree.distance(positions[v]); });
+  return distance;
+}
+
+// What of a shell is nearer to S than `least`, because there is no room, is not at the gap.
+void dropNear(TriangleMesh& shell, std::span<const double> distance, double least, double& leftOut) {
+  std::erase_if(shell.triangles, [&](const Triangle& t) {
+    const auto [a, b, c] = t;
+    if (std::min({distance[a], distance[b], distance[c]}) >= least) return false;
+    const Vec3& p = shell.positions[a];
+    leftOut += (shell.positions[b] - p).cross(shell.positions[c] - p).norm() / 2;
+    return true;
+  });
+}
+
 // Parts of a shell may touch in points, and shreds lie between walls: a surface has neither. Parts of less
 // than the square of the gap go, but for the largest.
 TriangleMesh withoutShreds(TriangleMesh shell, double gap, double& leftOut) {
   const VertexTriangles around = vertexTriangles(shell.positions.size(), shell.triangles);
   repairing::Workpiece piece(std::move(shell));
-  repairing::openPinchedVertices(piece, around);
+  repairing::openNonManifoldVertices(piece, around);
   const std::size_t count = piece.mesh.triangles.size();
   std::vector<Triangle> left;
   std::vector<double> area;
@@ -89,27 +112,28 @@ TriangleMesh withoutShreds(TriangleMesh shell, double gap, double& leftOut) {
 }
 
 // Where the solid comes nearest to S.
-void measureClearance(GapFacts& gap, const TriangleMesh& surface, const TriangleMesh& solid,
+void measureClearance(GapFacts& gap, const ClosestPointTree& tree, const TriangleMesh& solid,
                       const RunContext& context, int threads) {
-  const ClosestPointTree tree(weld(surface), threads);
-  std::vector<double> distance(solid.positions.size());
-  parallelFor(distance.size(), threads, context, 256,
-              [&](std::size_t v) { distance[v] = tree.distance(solid.positions[v]); });
+  const std::vector<double> distance = distances(solid.positions, tree, context, threads);
   const auto least = std::min_element(distance.begin(), distance.end());
   gap.least = *least;
   gap.leastPlace = solid.positions[static_cast<std::size_t>(least - distance.begin())];
 }
 
-void warnOfGap(const GapFacts& gap, Report& report) {
+// `place`: where S has the least room.
+void warnOfGap(Report& report, const Vec3& place) {
+  const GapFacts& gap = *report.gap;
   constexpr double kMuch = 1e-3;  // of the area
-  if (gap.least >= kTooSmall * gap.asked && gap.shortShare < kMuch) return;
-  report.warnings.insert(
-      report.warnings.begin(),
-      fmt::format(
-          "the gap of {:.4g} mm is not kept everywhere: the solid comes within {:.4g} mm of the surface at "
-          "{}, and {} of the surface has no room for 0.9 of the gap",
-          gap.asked, gap.least, text(gap.leastPlace),
-          gap.shortShare > 0 ? percentText(gap.shortShare) : "nothing"));
+  std::string told;
+  if (gap.shortShare >= kMuch)
+    told = fmt::format(
+        "there is no room for the gap of {:.4g} mm at {} of the surface, such as at {}, and no solid there",
+        gap.asked, percentText(gap.shortShare), text(place));
+  if (gap.least < kTooSmall * gap.asked)
+    told += fmt::format(
+        "{}the solid comes within {:.4g} mm of the surface at {}, nearer than the gap of {:.4g} mm",
+        told.empty() ? "" : "; ", gap.least, text(gap.leastPlace), gap.asked);
+  if (!told.empty()) report.warnings.insert(report.warnings.begin(), told);
 }
 
 // What the report of the solid says of the run as a whole.
@@ -128,6 +152,24 @@ void addFirst(Report& report, const Report& first) {
   report.predictedMemory = std::max(report.predictedMemory, first.predictedMemory);
   report.enoughMemory = std::max(report.enoughMemory, first.enoughMemory);
   report.fallbacks.insert(report.fallbacks.begin(), first.fallbacks.begin(), first.fallbacks.end());
+}
+
+// The solid of the gap surface. Where folds of it leave no room for a wall, they are opened: it is no scan
+// that has to be kept.
+Solid solidBehind(TriangleMesh& gapSurface, Options options, const RunContext& context, double& leftOut) {
+  try {
+    return thicken(gapSurface, options, context);
+  } catch (const Error& error) {
+    const bool isFold = error.code() == ErrorCode::kNoSolid && !error.defects().empty() &&
+                        !error.defects().front().vertices.empty();
+    if (!isFold) throw;
+  }
+  options.repair = true;
+  Solid solid = thicken(gapSurface, options, context);
+  gapSurface = *std::move(solid.repaired);
+  leftOut += solid.report.repair->removedArea;
+  std::erase(solid.report.warnings, repairWarning(solid.report).value_or(""));
+  return solid;
 }
 
 // The ids of what is wrong are those of the gap surface, which nobody has seen.
@@ -152,42 +194,39 @@ void addFirst(Report& report, const Report& first) {
 
 }  // namespace
 
-GapSolid thickenAtGap(const TriangleMesh& surface, double gap, const Options& options, RunContext context,
-                      double begin, double end) {
-  requireValid(options);
-  if (!std::isfinite(gap) || gap <= 0)
-    throw Error(ErrorCode::kInvalidArgument,
-                fmt::format("the gap must be a positive number of millimetres, not {}", gap));
-  if (options.side == Side::kBoth)
-    throw Error(ErrorCode::kInvalidArgument,
-                "a gap is on one side of the surface, and so is the solid: ask for one side");
+Solid thickenAtGap(const TriangleMesh& surface, const Options& options, RunContext context) {
+  const auto [begin, end] = context.part();
   const double middle = begin + kGapShare * (end - begin);
   context.setPart(begin, middle);
-  Solid first = thicken(surface, optionsOfGap(gap, options), context);
-  GapSolid result;
-  GapFacts& facts = result.facts;
-  facts.asked = gap;
-  facts.error = first.report.shellError;
-  facts.shortShare = first.report.thinShare;
-  result.surface =
-      withoutShreds(surfaceOf(first, Region::kShell, options.side == Side::kNegative), gap, facts.leftOut);
-  if (result.surface.triangles.empty())
-    throw Error(
-        ErrorCode::kNoSolid,
-        fmt::format("no part of the surface has room for a gap of {:.4g} mm; ask for a smaller one", gap));
-  facts.surface = check(result.surface, context, options.threads).facts;
+  Solid first = thicken(surface, optionsOfGap(options), context);
+  GapFacts gap;
+  gap.asked = options.gap;
+  gap.error = first.report.shellErrorFullDepth;
+  gap.shortShare = first.report.thinShare;
+  const bool turned = options.side == Side::kNegative;
+  const int threads = threadCount(options.threads);
+  const ClosestPointTree tree(weld(surfaceOf(first, Region::kOriginal, false)), threads);
+  TriangleMesh shell = surfaceOf(first, Region::kShell, turned);
+  dropNear(shell, distances(shell.positions, tree, context, threads), kTooSmall * options.gap, gap.leftOut);
+  TriangleMesh gapSurface = withoutShreds(std::move(shell), options.gap, gap.leftOut);
+  if (gapSurface.triangles.empty())
+    throw Error(ErrorCode::kNoSolid,
+                fmt::format("no part of the surface has room for a gap of {:.4g} mm; ask for a smaller one",
+                            options.gap));
   context.setPart(middle, end);
   try {
-    result.solid = thicken(result.surface, optionsOfSolid(options), context);
+    Solid solid = solidBehind(gapSurface, optionsOfSolid(options), context, gap.leftOut);
+    gap.surface = check(gapSurface, context, options.threads).facts;
+    measureClearance(gap, tree, solid.mesh, context, threads);
+    addFirst(solid.report, first.report);
+    solid.report.gap = gap;
+    warnOfGap(solid.report, first.report.thinnestPlace);
+    solid.gapSurface = std::move(gapSurface);
+    solid.repaired = std::move(first.repaired);
+    return solid;
   } catch (const Error& error) {
-    refuseBehindGap(error, first.report, gap);
+    refuseBehindGap(error, first.report, options.gap);
   }
-  measureClearance(facts, surfaceOf(first, Region::kOriginal, false), result.solid.mesh, context,
-                   threadCount(options.threads));
-  addFirst(result.solid.report, first.report);
-  warnOfGap(facts, result.solid.report);
-  result.solid.repaired = std::move(first.repaired);
-  return result;
 }
 
 }  // namespace thicken

@@ -32,6 +32,10 @@ double largestCoordinate(const TriangleMesh& surface) {
 
 void requireValid(const Options& options) {
   requirePositive(options.thickness, "thickness");
+  if (!std::isfinite(options.gap) || options.gap < 0)
+    refuse(fmt::format("the gap must be 0 or a positive number of millimetres, not {}", options.gap));
+  if (options.gap > 0 && options.side == Side::kBoth)
+    refuse("a gap is on one side of the surface, and so is the solid: ask for one side");
   const int given = options.cell.has_value() + options.resolution.has_value() + options.tolerance.has_value();
   if (given > 1) refuse("give only one of cell, resolution and tolerance");
   if (options.cell) requirePositive(*options.cell, "cell width");

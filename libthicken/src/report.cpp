@@ -179,8 +179,8 @@ Json nearRimFacts(const NearRims& facts) {
   return {{"corners", facts.corners}, {"distance_mm", facts.distance}};
 }
 
-Json gapFacts(const GapFacts* gap) {
-  if (gap == nullptr) return nullptr;
+Json gapFacts(const std::optional<GapFacts>& gap) {
+  if (!gap) return nullptr;
   return {{"mm", gap->asked},
           {"least_mm", gap->least},
           {"least_place_mm", toPlace(gap->leastPlace)},
@@ -200,13 +200,13 @@ std::string text(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-Json reportOf(const Report& report, const FileFacts& files, const GapFacts* gap = nullptr) {
+Json reportOf(const Report& report, const FileFacts& files) {
   Json json = head("ok");
   json["key"] = known(files.key);
   json["input"] = surfaceFacts(report.input);
   json["near_rims"] = nearRimFacts(report.nearRims);
   json["repair"] = repairFacts(report.repair);
-  json["gap"] = gapFacts(gap);
+  json["gap"] = gapFacts(report.gap);
   json["parameters"] = parameters(report);
   json["field"] = {{"cells", report.fieldCells}, {"nodes", report.fieldNodes}, {"finest_cell_mm", nullptr}};
   if (report.finestCell > 0) json["field"]["finest_cell_mm"] = report.finestCell;
@@ -235,10 +235,6 @@ Json reportOf(const Report& report, const FileFacts& files, const GapFacts* gap 
 
 std::string toJson(const Report& report, const FileFacts& files) {
   return text(reportOf(report, files));
-}
-
-std::string toJson(const Report& report, const GapFacts& gap, const FileFacts& files) {
-  return text(reportOf(report, files, &gap));
 }
 
 std::string toJson(std::span<const Report> sheets, const FileFacts& files) {

@@ -165,6 +165,10 @@ void RunContext::setPart(double begin, double end) noexcept {
   state_->raiseProgress(0);
 }
 
+std::pair<double, double> RunContext::part() const noexcept {
+  return {state_->partBegin.load(std::memory_order_relaxed), state_->partEnd.load(std::memory_order_relaxed)};
+}
+
 void RunContext::enter(Stage stage, double begin, double end, double work) const noexcept {
   const double from = clampShare(begin);
   const double share = from < 1 ? (std::max(from, clampShare(end)) - from) / (1 - from) : 0;

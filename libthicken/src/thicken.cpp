@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "check/audit.h"
+#include "gap.h"
 #include "invariants.h"
 #include "measure/error_bound.h"
 #include "measure/measure.h"
@@ -453,6 +454,7 @@ Solid thickenKnown(const TriangleMesh& input, const Options& options, RunContext
 
 Solid thicken(const TriangleMesh& surface, const Options& options, RunContext context) {
   requireValid(options);
+  if (options.gap > 0) return thickenAtGap(surface, options, std::move(context));
   Known known;
   try {
     return thickenKnown(surface, options, std::move(context), known);

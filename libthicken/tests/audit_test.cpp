@@ -145,7 +145,7 @@ TEST_F(AuditTest, SeesASolidInsideOut) {
 }
 
 TEST_F(AuditTest, SeesVerticesOfOnePlaceThatTouch) {
-  // a vertex of the shell in the place of one of the surface: the mesh is pinched there once it is welded
+  // a vertex of the shell in the place of one of the surface: the mesh is non-manifold there once it is welded
   solid_.positions[copies_ + at(2, 2)] = solid_.positions[at(2, 2)];
   EXPECT_EQ(failures(auditOf(solid_, surface_)), "vertexManifold");
 }

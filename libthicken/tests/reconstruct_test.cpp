@@ -443,7 +443,8 @@ TEST(Windows, ArePutTogetherToTheWhole) {
   EXPECT_FALSE(staysWithin(windows[0], divided));
 }
 
-// A slab with a cavity, and beside it a part that is inside out: only what bounds something stays.
+// A slab with a cavity, and beside it a part that is inside out and one that has nothing of S: only what
+// bounds something stays.
 TEST(Windows, LeaveNothingInsideOut) {
   const TriangleMesh sheet = flat(6, 6);
   Reconstruction made;
@@ -456,6 +457,9 @@ TEST(Windows, LeaveNothingInsideOut) {
       made.mesh.triangles.push_back({first + t[0], first + t[2], first + t[1]});
   };
   add(shapes::box({8, 1, -2}, {9, 2, -1}));
+  TriangleMesh crumb = shapes::box({8, 4, -2}, {9, 5, -1});
+  for (Triangle& t : crumb.triangles) std::swap(t[1], t[2]);
+  add(crumb);
   add(shapes::box({2, 2, -2}, {3, 3, -1}));
   made.region.assign(made.mesh.triangles.size(), Region::kShell);
   std::fill_n(made.region.begin(), sheet.triangles.size(), Region::kOriginal);

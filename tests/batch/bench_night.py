@@ -3,9 +3,10 @@
 
     bench_night.py PROGRAM FOLDER [PARTS]: the first PARTS (300) of the table, on two cores
 
-`xargs -P 2` with the bare program, the workflow, and a workflow that is killed at half and started again run one after
-the other: the machine should have nothing else to do. Prints throughputs, the largest job beside its
-limit, and whether the bytes are the same; ends with status 1 where they are not. Not a test: it takes minutes.
+`xargs -P 2` with the bare program and the workflow run in turn, ten seconds each while the other one stands still:
+what else the machine does then slows both alike. A workflow that is killed at half and started again comes after.
+Prints throughputs, the largest job beside its limit, and whether the bytes are the same; ends with status 1 where they
+are not. Not a test: it takes minutes.
 """
 
 from __future__ import annotations
@@ -22,12 +23,13 @@ from pathlib import Path
 
 SNAKEFILE = Path(__file__).resolve().parents[2] / "examples/batch/Snakefile"
 PERCENT = (1, 2, 3, 5)  # thicknesses, of the diagonal of the bounding box
+SLICE = 10.0  # seconds
 
 
 def parts_of(program: str, surfaces: Path, folder: Path, count: int) -> list[tuple[str, str]]:
     """File and thickness: all surfaces at the first thickness, then at the next."""
     sizes = []
-    for path in sorted(surfaces.absolute().glob("*.ply")):
+    for path in sorted(surfaces.absolute().glob("*.ply"))[:count]:
         subprocess.run([program, "check", path, "--quiet", "--report", folder / "check.json"], capture_output=True, check=True)
         facts = json.loads((folder / "check.json").read_text())["input"]
         sizes.append((str(path), facts["diagonal_mm"]))
@@ -35,30 +37,45 @@ def parts_of(program: str, surfaces: Path, folder: Path, count: int) -> list[tup
 
 
 class Side:
-    """A process, with its times once it is over."""
+    """A process and its children, which can be made to stand still, and its times once it is over."""
 
     def __init__(self, command: list[str], stdin: Path | None = None) -> None:
-        self.begun = time.monotonic()
         source = open(stdin, "rb") if stdin else subprocess.DEVNULL
         self.process = subprocess.Popen(command, stdin=source, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
                                         start_new_session=True)  # fmt: skip
+        self.is_over = False
         self.wall = self.cpu = 0.0
 
-    def is_over(self, flags: int = os.WNOHANG) -> bool:
-        if self.wall:
-            return True
-        pid, _, used = os.wait4(self.process.pid, flags)
-        if pid:
-            self.wall, self.cpu = time.monotonic() - self.begun, used.ru_utime + used.ru_stime
-        return bool(pid)
-
-    def wait(self) -> Side:
-        self.is_over(0)
+    def wait(self, seconds: float = float("inf")) -> Side:
+        """Until it is over, but no longer than that."""
+        begun = time.monotonic()
+        while not self.is_over and time.monotonic() - begun < seconds:
+            pid, _, used = os.wait4(self.process.pid, os.WNOHANG)
+            if pid:
+                self.is_over, self.cpu = True, used.ru_utime + used.ru_stime
+            else:
+                time.sleep(0.02)
+        self.wall += time.monotonic() - begun
         return self
 
-    def kill(self) -> None:
-        os.killpg(self.process.pid, signal.SIGKILL)
-        os.wait4(self.process.pid, 0)
+    def send(self, what: signal.Signals) -> None:
+        if not self.is_over:
+            os.killpg(self.process.pid, what)
+
+
+def in_turn(sides: list[Side]) -> None:
+    """Lets one of them go on at a time until all are over."""
+    try:
+        for side in sides:
+            side.send(signal.SIGSTOP)
+        while not all(side.is_over for side in sides):
+            for side in sides:
+                side.send(signal.SIGCONT)
+                side.wait(SLICE)
+                side.send(signal.SIGSTOP)
+    finally:  # nothing is left that stands still
+        for side in sides:
+            side.send(signal.SIGKILL)
 
 
 def run_all(program: str, folder: Path, parts: list[tuple[str, str]]) -> tuple[Side, Side]:
@@ -73,14 +90,15 @@ def run_all(program: str, folder: Path, parts: list[tuple[str, str]]) -> tuple[S
         return Side(["snakemake", "-s", str(SNAKEFILE), "--cores", "2", "--config", f"parts={table}", f"out={folder / out}",
                      f"program={program}"])  # fmt: skip
 
-    bare = Side(["xargs", "-0", "-n", "3", "-P", "2", program, "--quiet", "--threads=1"], arguments).wait()
-    night = workflow("night").wait()
+    bare = Side(["xargs", "-0", "-n", "3", "-P", "2", program, "--quiet", "--threads=1"], arguments)
+    night = workflow("night")
+    in_turn([bare, night])
     killed = workflow("killed")
     while len(list((folder / "killed").glob("*.stl"))) < len(parts) // 2:
-        if killed.is_over():
+        if killed.wait(0.1).is_over:
             raise SystemExit("bench: fewer than half of the parts can be made; give surfaces that are valid")
-        time.sleep(0.1)
-    killed.kill()
+    killed.send(signal.SIGKILL)
+    killed.wait()
     workflow("killed").wait()
     return bare, night
 

@@ -6,6 +6,7 @@ import signal
 import subprocess
 import time
 import unittest
+from urllib.parse import unquote
 
 from batch_case import BAD, PROGRAM, BatchCase, kill_one, parts, read_json, read_summary, solids, write_off, write_table
 from surfaces import wave
@@ -81,8 +82,10 @@ class Night(BatchCase):
         page = (self.out / "summary.html").read_text()
         self.assertEqual(page.count("<tr class="), 60)
         self.assertIn("60 parts: 40 ok, 20 refused", page)
-        for picture in re.findall(r'src="([^"]+)"', page):
-            self.assertTrue((self.out / "pictures").exists(), picture)
+        pictures = re.findall(r'src="([^"]+)"', page)
+        self.assertEqual(len(pictures), 40)
+        for picture in pictures:
+            self.assertEqual((self.out / unquote(picture)).read_bytes()[:8], b"\x89PNG\r\n\x1a\n", picture)
         self.assertNotIn("http", page, "it needs no server")
 
     def test_killed_at_half_and_started_again_the_bytes_are_the_same(self):
@@ -132,8 +135,10 @@ class Again(BatchCase):
             first.write_bytes(first.read_bytes()[:100])
             second.unlink()
             report.unlink()
-        self.assertEqual({n for n in self.changed_by(spoil)}, {first.name, second.name, f"{first.stem}.json",
-                                                               f"{second.stem}.json", report.name})  # fmt: skip
+            (self.out / f"pictures/{self.solid(2).stem}.png").unlink()
+        again = [first.stem, second.stem, self.solid(2).stem]
+        self.assertEqual(self.changed_by(spoil), {f"{stem}.{kind}" for stem in again for kind in ("stl", "json")} | {report.name})
+        self.assertEqual({path.stem for path in (self.out / "pictures").iterdir()}, {path.stem for path in self.out.glob("*.stl")})
         self.assertEqual(solids(self.out), whole)
 
     def test_only_other_rows_and_other_surfaces_are_made(self):

@@ -67,7 +67,8 @@ class ThreeMf(ProgramCase):
         self.assert_ok(self.run_program("check", "in.off", "--report", "b.json"))
         areas = [self.report(name)["input"]["area_mm2"] for name in ("a.json", "b.json")]
         self.assertAlmostEqual(areas[0] / areas[1], 1, places=9)
-        self.assertIn("names its unit itself", self.assert_fails(self.run_program("check", "in.3mf", "--unit", "m"), 2, "usage"))
+        run = self.run_program("check", "in.3mf", "--unit", "m")
+        self.assertIn("names its unit itself", self.assert_fails(run, 2, "usage"))
 
     def test_colours_are_for_3mf(self):
         run = self.run_program("in.off", "out.stl", "--thickness", 1, "--colours")
@@ -90,7 +91,8 @@ class ThreeMf(ProgramCase):
             self.skipTest("there is no openscad")
         made = self.thicken("--colours")
         (self.folder / "a.scad").write_text('import("out.3mf");')
-        read = subprocess.run([openscad, "-o", "a.stl", "a.scad"], cwd=self.folder, capture_output=True, text=True, timeout=250)
+        read = subprocess.run([openscad, "-o", "a.stl", "a.scad"], cwd=self.folder, capture_output=True, text=True,
+                              timeout=250)  # fmt: skip
         if "was built without" in read.stderr or "not compiled with" in read.stderr:
             self.skipTest("this openscad reads no 3MF")
         self.assertEqual(read.returncode, 0, read.stderr)

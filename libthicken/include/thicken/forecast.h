@@ -23,7 +23,7 @@ struct Forecast {
 [[nodiscard]] SurfaceFacts sizesOf(const TriangleMesh& surface);
 
 /// What thicken() takes for a surface of so many triangles, area and diagonal; of `options` the thickness,
-/// side, method, cells, tolerance and threads count. Takes no time and throws nothing.
+/// gap, side, method, cells, tolerance and threads count. Takes no time and throws nothing.
 [[nodiscard]] Forecast forecast(const SurfaceFacts& surface, const Options& options) noexcept;
 
 }  // namespace thicken

@@ -42,6 +42,9 @@ enum class Precision {
 
 struct Options {
   double thickness = 0;  ///< r > 0, finite
+  /// mm: the solid begins so far from S, in place of at S. The surface there is Solid::gapSurface, and what is
+  /// kept bit for bit. 0: none.
+  double gap = 0;
   Side side = Side::kNegative;
   Method method = Method::kAuto;
   Precision precision = Precision::kDouble;

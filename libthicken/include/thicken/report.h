@@ -8,7 +8,6 @@
 
 #include "thicken/check.h"
 #include "thicken/error.h"
-#include "thicken/gap.h"
 #include "thicken/inspect.h"
 #include "thicken/result.h"
 #include "thicken/trim.h"
@@ -22,8 +21,6 @@ struct FileFacts {
 };
 
 [[nodiscard]] std::string toJson(const Report& report, const FileFacts& files = {});
-/// Of a solid at a gap.
-[[nodiscard]] std::string toJson(const Report& report, const GapFacts& gap, const FileFacts& files = {});
 [[nodiscard]] std::string toJson(const Error& error, const FileFacts& files = {});
 [[nodiscard]] std::string toJson(const CheckResult& result);
 [[nodiscard]] std::string toJson(const RepairFacts& facts);

@@ -63,10 +63,22 @@ struct SimplifyFacts {
   double worstAspect = 0;  ///< longest edge by least height, of the worst triangle of shell and walls
 };
 
+/// The surface that a solid with Options::gap begins at.
+struct GapFacts {
+  double asked = 0;                ///< mm
+  double least = 0;                ///< mm, from a corner of the solid to S
+  Vec3 leastPlace = Vec3::Zero();  ///< mm, where that is
+  double shortShare = 0;           ///< share of the area of S with room for less than 0.9 of it
+  ErrorFacts error;                ///< |distance to S − gap| / gap over the gap surface, away from the rim
+  double leftOut = 0;              ///< mm² of shreds that it was made without
+  SurfaceFacts surface;            ///< of the gap surface
+};
+
 struct Report {
   SurfaceFacts input;                 ///< as it was given, before any repair
   NearRims nearRims;                  ///< of the surface that was thickened
   std::optional<RepairFacts> repair;  ///< with Options::repair: what was done to it
+  std::optional<GapFacts> gap;        ///< with Options::gap; what follows is about the gap surface, not S
   double thickness = 0;               ///< mm
   Side side = Side::kNegative;
   Join join = Join::kMitre;                    ///< that was made
@@ -115,6 +127,7 @@ struct Solid {
   std::vector<Region> region;            ///< per triangle
   std::vector<double> depth;             ///< mm per vertex of S: how deep the solid is below it
   std::optional<TriangleMesh> repaired;  ///< with Options::repair: S, the surface that was thickened
+  std::optional<TriangleMesh> gapSurface;  ///< with Options::gap: what was thickened in place of S
   Report report;
 };
 

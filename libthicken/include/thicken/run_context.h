@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <string_view>
+#include <utility>
 
 namespace thicken {
 
@@ -53,6 +54,8 @@ class RunContext {
 
   /// What the run counts as its whole progress is the part [begin, end] of the caller's.
   void setPart(double begin, double end) noexcept;
+  /// That part; [0, 1] where none was set.
+  [[nodiscard]] std::pair<double, double> part() const noexcept;
 
   // --- for the library's own stages ---
   // The progress is made of work that is counted, not of time. How much a stage takes is an estimate: the

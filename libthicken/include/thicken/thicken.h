@@ -15,7 +15,6 @@
 #include "thicken/drain.h"
 #include "thicken/error.h"
 #include "thicken/forecast.h"
-#include "thicken/gap.h"
 #include "thicken/inspect.h"
 #include "thicken/io.h"
 #include "thicken/mesh.h"
@@ -35,7 +34,7 @@ namespace thicken {
 /// Corners with equal coordinates are one vertex: `surface` is welded first, so that vertex and
 /// triangle ids in errors and in the result are those of weld(surface), which keeps the order of
 /// the triangles. With Options::repair the surface that is thickened, and S in the guarantee, is the
-/// one that repair() makes of it.
+/// one that repair() makes of it; with Options::gap it is the surface at the gap from that one.
 ///
 /// Throws Error: kInvalidArgument for options out of range; the codes of check() with all defects
 /// when `surface` is no valid input; kNoSolid when no valid solid was found within the limits;

@@ -154,18 +154,18 @@ class Auditor {
   void judgeJoints(const BadJoints& joints) {
     AuditFacts& facts = result_.facts;
     facts.closed = joints.rim.empty();
-    facts.edgeManifold = joints.crowded.empty();
-    facts.vertexManifold = joints.pinched.empty();
+    facts.edgeManifold = joints.nonManifoldEdges.empty();
+    facts.vertexManifold = joints.nonManifoldVertices.empty();
     facts.oriented = joints.sameSense.empty();
     judgeEdges(joints.rim, ErrorCode::kNoSolid, "have a triangle on one side only");
-    judgeEdges(joints.crowded, ErrorCode::kNotManifold, "join more than two triangles");
+    judgeEdges(joints.nonManifoldEdges, ErrorCode::kNotManifold, "join more than two triangles");
     judgeEdges(joints.sameSense, ErrorCode::kNotOriented, "join triangles of opposite sense");
-    if (joints.pinched.empty()) return;
-    const Vec3& place = mesh_.positions[joints.pinched[0]];
-    Defect& d = report(ErrorCode::kNotManifold, joints.pinched.size(), place,
+    if (joints.nonManifoldVertices.empty()) return;
+    const Vec3& place = mesh_.positions[joints.nonManifoldVertices[0]];
+    Defect& d = report(ErrorCode::kNotManifold, joints.nonManifoldVertices.size(), place,
                        fmt::format("parts of the solid touch in {} single points, the first at {}",
-                                   joints.pinched.size(), text(place)));
-    fillVertices(d, joints.pinched);
+                                   joints.nonManifoldVertices.size(), text(place)));
+    fillVertices(d, joints.nonManifoldVertices);
   }
 
   // Triangles of the surface (in the sense that the side asks for), or for Side::kBoth the edges of

@@ -86,26 +86,26 @@ std::string trianglesAt(const HalfEdges& edges, const Edge& e) {
 Defect notManifold(const TriangleMesh& mesh, const HalfEdges& edges, const BadJoints& joints) {
   Defect d;
   d.code = ErrorCode::kNotManifold;
-  d.count = joints.crowded.size() + joints.pinched.size();
-  for (const Edge& e : joints.crowded) append(d.edges, e);
-  for (const VertexId v : joints.pinched) append(d.vertices, v);
-  if (!joints.crowded.empty()) {
-    const Edge& e = joints.crowded[0];
+  d.count = joints.nonManifoldEdges.size() + joints.nonManifoldVertices.size();
+  for (const Edge& e : joints.nonManifoldEdges) append(d.edges, e);
+  for (const VertexId v : joints.nonManifoldVertices) append(d.vertices, v);
+  if (!joints.nonManifoldEdges.empty()) {
+    const Edge& e = joints.nonManifoldEdges[0];
     d.place = middle(mesh, e);
     d.sentence = fmt::format(
         "edge {}-{} at {} is shared by {}, where at most two can meet on a surface{}; "
         "delete the surplus triangles or split the mesh along the edge",
         e[0], e[1], text(d.place), trianglesAt(edges, e),
-        andMore(joints.crowded.size(), "such edge", "such edges"));
+        andMore(joints.nonManifoldEdges.size(), "such edge", "such edges"));
   }
-  if (!joints.pinched.empty()) {
-    const VertexId v = joints.pinched[0];
-    if (joints.crowded.empty()) d.place = mesh.positions[v];
+  if (!joints.nonManifoldVertices.empty()) {
+    const VertexId v = joints.nonManifoldVertices[0];
+    if (joints.nonManifoldEdges.empty()) d.place = mesh.positions[v];
     d.sentence += fmt::format(
         "{}at vertex {} at {} parts of the surface touch in this point only{}; "
         "give each part a vertex of its own, moved apart, or delete one of them",
         d.sentence.empty() ? "" : "; also, ", v, text(mesh.positions[v]),
-        andMore(joints.pinched.size(), "such vertex", "such vertices"));
+        andMore(joints.nonManifoldVertices.size(), "such vertex", "such vertices"));
   }
   return d;
 }
@@ -210,7 +210,7 @@ CheckResult check(const TriangleMesh& mesh, RunContext context, int threads) {
     if (mesh.triangles.empty()) result.defects.push_back(emptyDefect());
     if (!finite) result.defects.push_back(notFinite(mesh, unfit));
     if (!bad.withoutArea.empty() || !bad.duplicates.empty()) result.defects.push_back(degenerate(mesh, bad));
-    if (!joints.crowded.empty() || !joints.pinched.empty())
+    if (!joints.nonManifoldEdges.empty() || !joints.nonManifoldVertices.empty())
       result.defects.push_back(notManifold(mesh, edges, joints));
     if (!joints.sameSense.empty()) result.defects.push_back(notOriented(mesh, edges, joints));
   }

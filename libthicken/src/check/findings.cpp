@@ -67,9 +67,9 @@ std::vector<std::pair<TriangleId, TriangleId>> duplicates(const TriangleMesh& me
 }
 
 // Whether the corners at a vertex, joined across every edge that they share, remain in more than one group.
-class PinchTest {
+class FanCount {
  public:
-  explicit PinchTest(const TriangleMesh& mesh) : mesh_(mesh) {}
+  explicit FanCount(const TriangleMesh& mesh) : mesh_(mesh) {}
 
   bool operator()(std::span<const HalfEdge> leaving) {
     if (leaving.size() < 2 || goesRoundOnce(leaving)) return false;
@@ -143,12 +143,12 @@ BadJoints badJoints(const TriangleMesh& mesh, const HalfEdges& edges, const RunC
   std::vector<BadJoints> parts(blocks);
   parallelFor(blocks, threads, context, 1, [&](std::size_t block) {
     BadJoints& bad = parts[block];
-    PinchTest isPinched(mesh);
+    FanCount hasManyFans(mesh);
     const auto judge = [&bad](VertexId a, VertexId b, std::span<const HalfEdge> uses,
                               std::span<const HalfEdge> back) {
       const std::size_t all = uses.size() + back.size();
       if (all > 2)
-        bad.crowded.push_back({a, b});
+        bad.nonManifoldEdges.push_back({a, b});
       else if (all == 1)
         bad.rim.push_back({a, b});
       else if (back.empty())
@@ -157,15 +157,15 @@ BadJoints badJoints(const TriangleMesh& mesh, const HalfEdges& edges, const RunC
     const std::size_t end = std::min(count, (block + 1) * kBlock);
     for (auto v = static_cast<VertexId>(block * kBlock); v < end; ++v) {
       edges.forEachEdgeOf(v, judge);
-      if (isPinched(edges.from(v))) bad.pinched.push_back(v);
+      if (hasManyFans(edges.from(v))) bad.nonManifoldVertices.push_back(v);
     }
   });
   BadJoints all;
   for (const BadJoints& part : parts) {
     append(all.rim, part.rim);
-    append(all.crowded, part.crowded);
+    append(all.nonManifoldEdges, part.nonManifoldEdges);
     append(all.sameSense, part.sameSense);
-    append(all.pinched, part.pinched);
+    append(all.nonManifoldVertices, part.nonManifoldVertices);
   }
   return all;
 }

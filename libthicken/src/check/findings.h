@@ -32,10 +32,10 @@ struct BadTriangles {
 
 /// Defects of edges and vertices. Edges and vertices come in ascending order.
 struct BadJoints {
-  std::vector<Edge> rim;          ///< used once; in the direction of its triangle
-  std::vector<Edge> crowded;      ///< used more than twice
-  std::vector<Edge> sameSense;    ///< used twice in this direction
-  std::vector<VertexId> pinched;  ///< more than one fan of triangles, which touch only there
+  std::vector<Edge> rim;                      ///< used once; in the direction of its triangle
+  std::vector<Edge> nonManifoldEdges;         ///< used more than twice
+  std::vector<Edge> sameSense;                ///< used twice in this direction
+  std::vector<VertexId> nonManifoldVertices;  ///< more than one fan of triangles, which touch only there
 };
 [[nodiscard]] BadJoints badJoints(const TriangleMesh& mesh, const HalfEdges& edges, const RunContext& context,
                                   int threads);

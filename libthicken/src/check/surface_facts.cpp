@@ -56,7 +56,7 @@ SurfaceFacts factsOf(const TriangleMesh& mesh, const BadJoints& joints, bool fin
   if (mesh.triangles.empty()) return facts;
   facts.rims = loopsOf(mesh.positions.size(), joints.rim);
   facts.components = componentsOf(mesh.positions.size(), mesh.triangles, threads).count;
-  facts.closed = joints.rim.empty() && joints.crowded.empty();
+  facts.closed = joints.rim.empty() && joints.nonManifoldEdges.empty();
   if (finite) addSizes(mesh, facts);
   return facts;
 }

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <unordered_set>
 
+#include "mesh/edge_key.h"
 #include "mesh/float_lattice.h"
 
 namespace thicken::drain {
@@ -27,10 +27,6 @@ bool allRight(const Vec3& a, const Vec3& b, const Points& points, double margin)
   const double limit = -margin * flatDistance(a, b);
   return std::all_of(points.begin(), points.end(),
                      [&](const Vec3& p) { return doubledArea(a, b, p) < limit; });
-}
-
-std::uint64_t directed(VertexId a, VertexId b) {
-  return (std::uint64_t{a} << 32) | b;
 }
 
 }  // namespace
@@ -235,11 +231,12 @@ std::vector<VertexId> SheetCutter::walk(VertexId from, VertexId to) {
 }
 
 void SheetCutter::removeInside(const std::vector<VertexId>& loop, SheetCut& result) {
-  std::unordered_set<std::uint64_t> border;
-  for (std::size_t i = 0; i < loop.size(); ++i) border.insert(directed(loop[i], loop[(i + 1) % loop.size()]));
+  EdgeSet border;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    border.insert(directedKey(loop[i], loop[(i + 1) % loop.size()]));
   std::unordered_map<std::uint64_t, std::size_t> byEdge;
   for (std::size_t i = 0; i < patch_.size(); ++i)
-    for (int k = 0; k < 3; ++k) byEdge[directed(patch_[i][k], patch_[i][(k + 1) % 3])] = i;
+    for (int k = 0; k < 3; ++k) byEdge[directedKey(patch_[i][k], patch_[i][(k + 1) % 3])] = i;
   std::vector<std::uint8_t> inside(patch_.size(), 0);
   std::vector<std::size_t> waiting;
   for (const std::uint64_t edge : border) {
@@ -254,8 +251,8 @@ void SheetCutter::removeInside(const std::vector<VertexId>& loop, SheetCut& resu
     inside[i] = 1;
     for (int k = 0; k < 3; ++k) {
       const VertexId a = patch_[i][k], b = patch_[i][(k + 1) % 3];
-      if (border.count(directed(a, b)) != 0) continue;
-      const auto next = byEdge.find(directed(b, a));
+      if (border.count(directedKey(a, b)) != 0) continue;
+      const auto next = byEdge.find(directedKey(b, a));
       if (next == byEdge.end()) throw CannotCut("the surface ends within the hole");
       waiting.push_back(next->second);
     }

@@ -19,8 +19,7 @@ std::vector<Triangle> minimalAreaTriangulation(std::span<const Vec3> positions,
   const auto at = [n](std::size_t i, std::size_t j) { return i * n + j; };
   const auto isForbidden = [&](std::size_t i, std::size_t j) {
     if (j == i + 1 || (i == 0 && j == n - 1)) return false;  // an edge of the loop itself
-    const VertexId a = std::min(loop[i], loop[j]), b = std::max(loop[i], loop[j]);
-    return a == b || forbidden.contains((std::uint64_t{a} << 32) | b);
+    return loop[i] == loop[j] || forbidden.contains(edgeKey(loop[i], loop[j]));
   };
   const auto areaOf = [&](std::size_t i, std::size_t k, std::size_t j) {
     const Vec3 &a = positions[loop[i]], &b = positions[loop[k]], &c = positions[loop[j]];

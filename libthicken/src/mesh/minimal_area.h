@@ -4,20 +4,16 @@
 // programming over its chords.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <span>
-#include <unordered_set>
 #include <vector>
 
+#include "mesh/edge_key.h"
 #include "thicken/mesh.h"
 
 namespace thicken {
 
-/// Undirected edges as (smaller id << 32 | larger id); other uses put directed ones the same way.
-using EdgeSet = std::unordered_set<std::uint64_t>;
-
-/// Triangles over the vertices of `loop`, in its sense, without a chord that is in `forbidden` and
+/// Triangles over the vertices of `loop`, in its sense, without a chord that is in `forbidden` (by edgeKey()) and
 /// of triangles that `allowed` accepts. Empty when there is none, or when the loop is too long for
 /// the cubic cost (kLongestLoop).
 [[nodiscard]] std::vector<Triangle> minimalAreaTriangulation(

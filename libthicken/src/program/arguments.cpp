@@ -101,12 +101,6 @@ double toUnit(const std::string& word) {
   return found->second;
 }
 
-double positiveGap(double gap) {
-  if (!std::isfinite(gap) || gap <= 0)
-    throw CLI::ValidationError("--gap", "it must be a positive number of millimetres");
-  return gap;
-}
-
 // "1280x480"
 void setPictureSize(Arguments& arguments, const std::string& text) {
   const std::size_t cross = text.find('x');
@@ -156,9 +150,8 @@ void describeThicken(CLI::App& app, Arguments& arguments) {
       ->required()
       ->check(length())
       ->type_name("R");
-  app.add_option_function<double>(
-         "--gap", [&arguments](double gap) { arguments.gap = positiveGap(gap); },
-         "The solid begins so far from the surface, mm; default: at the surface")
+  app.add_option("--gap", options.gap,
+                 "The solid begins so far from the surface, mm; default: at the surface")
       ->check(length())
       ->type_name("G");
   app.add_option("--gap-surface", arguments.gapSurface,
@@ -353,11 +346,9 @@ Request readArguments(int argc, const char* const* argv) {
   if (!arguments.repaired.empty() && arguments.sheets)
     throw Error(ErrorCode::kInvalidArgument,
                 "--repaired writes one surface, and --sheets makes several; leave out one");
-  if (!arguments.gapSurface.empty() && arguments.gap == 0)
-    throw Error(ErrorCode::kInvalidArgument, "--gap-surface writes what --gap makes; give --gap, too");
-  if (arguments.gap > 0 && arguments.sheets)
+  if (!arguments.gapSurface.empty() && (!(arguments.options.gap > 0) || arguments.sheets))
     throw Error(ErrorCode::kInvalidArgument,
-                "--gap is for one surface, and --sheets makes several; leave out one");
+                "--gap-surface writes what --gap makes of one surface; give --gap, and leave out --sheets");
   if (arguments.unit != 1 && namesItsUnit(arguments.input))
     throw Error(ErrorCode::kInvalidArgument,
                 "a 3MF file names its unit itself, and is read in it; leave out --unit");

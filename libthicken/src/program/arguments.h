@@ -19,18 +19,17 @@ enum class Command { kThicken, kCheck, kTrim };
 struct Arguments {
   Command command = Command::kThicken;
   std::filesystem::path input;
-  std::filesystem::path output;      ///< not of kCheck
-  std::filesystem::path report;      ///< empty: none
-  std::filesystem::path repaired;    ///< kThicken only: where the repaired surface goes; empty: nowhere
-  Options options;                   ///< kThicken only; precision follows from the output
-  std::size_t memoryLimit = 0;       ///< bytes; 0: no limit
-  double timeLimit = 0;              ///< seconds; 0: no limit
-  bool skipIfSame = false;           ///< kThicken only: not to make once more what is there
-  std::vector<std::string> given;    ///< the options that the output depends on, as they were given
-  bool limitGiven = false;           ///< whether it was asked for, and is not just what the machine has
-  double gap = 0;                    ///< kThicken only: mm; 0: none
+  std::filesystem::path output;    ///< not of kCheck
+  std::filesystem::path report;    ///< empty: none
+  std::filesystem::path repaired;  ///< kThicken only: where the repaired surface goes; empty: nowhere
+  Options options;                 ///< kThicken only; precision follows from the output
+  std::size_t memoryLimit = 0;     ///< bytes; 0: no limit
+  double timeLimit = 0;            ///< seconds; 0: no limit
+  bool skipIfSame = false;         ///< kThicken only: not to make once more what is there
+  std::vector<std::string> given;  ///< the options that the output depends on, as they were given
+  bool limitGiven = false;         ///< whether it was asked for, and is not just what the machine has
   std::filesystem::path gapSurface;  ///< kThicken only: where the surface at the gap goes; empty: nowhere
-  std::filesystem::path picture;     ///< kThicken only: where a picture of the solid goes; empty: nowhere
+  std::filesystem::path picture;   ///< kThicken only: where a picture of the solid goes; empty: nowhere
   int pictureWidth = 1280, pictureHeight = 480;
   double unit = 1;  ///< mm, of the numbers of the input and of loops
   bool quiet = false;

@@ -81,14 +81,10 @@ Error withRemedy(const Error& error, const NearRims& near) {
   return told;
 }
 
-// thicken() or thickenAtGap(), whose refusals say what of this program may help.
-GapSolid thickenOrAdvise(const Arguments& arguments, const TriangleMesh& surface, const Options& options,
-                         RunContext& context) {
+// thicken(), whose refusals say what of this program may help.
+Solid thickenOrAdvise(const TriangleMesh& surface, const Options& options, const RunContext& context) {
   try {
-    if (arguments.gap > 0)
-      return thickenAtGap(surface, arguments.gap, options, context, kReadShare, kWriteShare);
-    context.setPart(kReadShare, kWriteShare);
-    return {thicken(surface, options, context), {}, {}};
+    return thicken(surface, options, context);
   } catch (const Error& error) {
     if (options.repair || !isForRepair(error)) throw;
     throw withRemedy(error, nearRims(weld(surface), context, options.threads));
@@ -109,7 +105,6 @@ struct Made {
   std::vector<TriangleMesh> meshes;
   std::vector<std::vector<Region>> regions;
   std::vector<Report> reports;
-  std::optional<GapFacts> gap;
 };
 
 // The regions that are to be written as colours; none unless asked for.
@@ -152,14 +147,6 @@ Made makeSheets(const Arguments& arguments, const TriangleMesh& surface, const O
   return made;
 }
 
-// A gap is a run by itself, of the same surface.
-double expectedSeconds(const Arguments& arguments, const SurfaceFacts& surface, Options options) {
-  double seconds = forecast(surface, options).seconds;
-  options.thickness = arguments.gap;
-  if (arguments.gap > 0) seconds += forecast(surface, options).seconds;
-  return seconds;
-}
-
 Made makeSolid(const Arguments& arguments, RunContext& context, std::vector<std::string>& warnings) {
   ProgressLine line(context, arguments.quiet);
   Stopwatch reading;
@@ -172,27 +159,26 @@ Made makeSolid(const Arguments& arguments, RunContext& context, std::vector<std:
   if (!arguments.repaired.empty() && storedPrecision(arguments.repaired) == Precision::kSingle)
     options.precision = Precision::kSingle;
   if (arguments.sheets) return makeSheets(arguments, surface, options, context);
-  line.expect(expectedSeconds(arguments, sizesOf(surface), options));
-  GapSolid made = thickenOrAdvise(arguments, surface, options, context);
-  Solid& solid = made.solid;
+  line.expect(forecast(sizesOf(surface), options).seconds);
+  context.setPart(kReadShare, kWriteShare);
+  Solid solid = thickenOrAdvise(surface, options, context);
   context.throwIfCancelled();
   context.setPart(kWriteShare, 1);
   context.enter(Stage::kWriting, 0, 1, 0);
   Stopwatch writing;
   if (!arguments.repaired.empty()) writeMesh(arguments.repaired, *solid.repaired);
-  if (!arguments.gapSurface.empty()) writeMesh(arguments.gapSurface, made.surface);
+  if (!arguments.gapSurface.empty()) writeMesh(arguments.gapSurface, *solid.gapSurface);
   writeMeshes(arguments.output, std::span(&solid.mesh, 1), coloursOf(arguments, std::span(&solid.region, 1)));
   writing.lap("write");
   auto& seconds = solid.report.seconds;
   seconds.insert(seconds.begin(), reading.laps().front());
   seconds.push_back(writing.laps().front());
   solid.report.warnings.insert(solid.report.warnings.begin(), warnings.begin(), warnings.end());
-  Made result;
-  if (arguments.gap > 0) result.gap = made.facts;
-  result.meshes.push_back(std::move(solid.mesh));
-  result.regions.push_back(std::move(solid.region));
-  result.reports.push_back(std::move(solid.report));
-  return result;
+  Made made;
+  made.meshes.push_back(std::move(solid.mesh));
+  made.regions.push_back(std::move(solid.region));
+  made.reports.push_back(std::move(solid.report));
+  return made;
 }
 
 CheckResult checkSurface(const Arguments& arguments, RunContext& context,
@@ -314,11 +300,8 @@ void runThicken(const Arguments& arguments, RunContext context) {
     return;
   }
   if (isReported && !arguments.sheets) files.outputDigest = io::sha256Of(arguments.output).value_or("");
-  if (arguments.sheets)
-    writeReport(arguments, toJson(std::span<const Report>(made.reports), files));
-  else
-    writeReport(arguments, made.gap ? toJson(made.reports.front(), *made.gap, files)
-                                    : toJson(made.reports.front(), files));
+  writeReport(arguments, arguments.sheets ? toJson(std::span<const Report>(made.reports), files)
+                                          : toJson(made.reports.front(), files));
   const auto paths = pathsOfMeshes(arguments.output, made.meshes.size());
   for (std::size_t i = 0; i < made.reports.size(); ++i) {
     printWarnings(arguments, made.reports[i].warnings);

@@ -181,8 +181,8 @@ class Assembler {
     for (const RimEdge& e : carrier.rim.edges) onRim[e.from] = 1;
     for (const Triangle& t : carrier.mesh.triangles)
       for (int k = 0; k < 3; ++k) {
-        const auto [a, b] = std::minmax(t[k], t[(k + 1) % 3]);
-        if (onRim[a] && onRim[b]) carrierEdges_.insert((std::uint64_t{a} << 32) | b);
+        const VertexId a = t[k], b = t[(k + 1) % 3];
+        if (onRim[a] && onRim[b]) carrierEdges_.insert(edgeKey(a, b));
       }
   }
 

@@ -178,8 +178,8 @@ class Completion {
   // Walls that are in the way are drawn back, or pieces of shell given over. Returns whether any were.
   bool givesWay(const std::vector<TriangleId>& meeting) {
     const bool lifted = attempt_.liftWalls(meeting);
-    // At a hole finer cells are the better answer where giving over more does not help at once.
-    const bool mayGive = takenBack_ == 0 && (task_.refined == 0 || meeting.size() < leastMeeting_);
+    // Where giving over more does not help at once, finer cells are the better answer.
+    const bool mayGive = takenBack_ == 0 && meeting.size() < leastMeeting_;
     leastMeeting_ = std::min(leastMeeting_, meeting.size());
     return (mayGive && givenOver_++ < kMostGivenOver &&
             shell_.giveOver(attempt_.assembly(), meeting, reachOf(givenOver_ - 1, task_.width))) ||

@@ -41,13 +41,17 @@ class Refiner {
   // Where sheets are too close for the cells, the sweep's shell may be kept, which may be far too thin.
   Reconstruction whereLeft(Reconstruction made) {
     constexpr double kFiner = 0.6, kLittle = 1e-3;  // of the width; of the shell
+    // What is left has to become so much less for still finer cells, each of which cost three times as much.
+    constexpr double kLess = 0.7;
     constexpr int kMostTimes = 3;
     double width = made.cell;
     for (int i = 0; i < kMostTimes && made.leftArea > kLittle * made.shellArea; ++i) {
       width *= kFiner;
       auto finer = again(made, {leftOf(made), width, true});
       if (!finer) break;
+      const bool isWorthMore = finer->leftArea < kLess * made.leftArea;
       if (finer->leftArea < made.leftArea) made = *std::move(finer);
+      if (!isWorthMore) break;
     }
     return made;
   }

@@ -3,10 +3,9 @@
 
 #include <algorithm>
 
-#include "check/nesting.h"
-#include "exact/box_tree.h"
+#include "check/misplaced_shells.h"
 #include "mesh/bounds.h"
-#include "mesh/half_edges.h"
+#include "mesh/topology.h"
 #include "reconstruct/drop_unused.h"
 
 namespace thicken {
@@ -47,22 +46,6 @@ std::vector<std::uint8_t> hangingOnCarrier(const Assembly& assembly, const Compo
   return hangs;
 }
 
-// Per part: whether it has nothing of S and is misplaced.
-std::vector<std::uint8_t> misplaced(const TriangleMesh& mesh, std::span<const Region> region,
-                                    const Components& parts, int threads) {
-  std::vector<std::uint8_t> hangs(parts.count, 0), drop(parts.count, 0);
-  for (std::size_t t = 0; t < region.size(); ++t)
-    if (region[t] == Region::kOriginal) hangs[parts.ofTriangle[t]] = 1;
-  if (allOf(hangs)) return drop;
-  const HalfEdges edges(mesh.positions.size(), mesh.triangles, {}, threads);
-  const std::vector<VertexId> lowest = lowestVertices(mesh, parts);
-  const exact::BoxTree tree(mesh.positions, mesh.triangles, threads, trianglesBelow(mesh, lowest, threads));
-  for (std::uint32_t part = 0; part < parts.count; ++part)
-    drop[part] = !hangs[part] && facesOutward(mesh, edges, lowest[part]) ==
-                                     insideOddNumber(mesh, tree, parts, lowest[part], part);
-  return drop;
-}
-
 }  // namespace
 
 void dropSpecks(Assembly& assembly, double width, int threads) {
@@ -84,13 +67,13 @@ void dropSpecks(Assembly& assembly, double width, int threads) {
 
 void dropMisplaced(Assembly& assembly, int threads) {
   const Components parts = componentsOf(assembly.mesh.positions.size(), assembly.mesh.triangles, threads);
-  const std::vector<std::uint8_t> drop = misplaced(assembly.mesh, assembly.region, parts, threads);
+  const std::vector<std::uint8_t> drop = misplacedShells(assembly.mesh, assembly.region, parts, threads);
   if (anyOf(drop)) dropParts(assembly, parts, drop);
 }
 
 void dropMisplaced(Reconstruction& made, std::size_t surfaceVertices, int threads) {
   const Components parts = componentsOf(made.mesh.positions.size(), made.mesh.triangles, threads);
-  const std::vector<std::uint8_t> drop = misplaced(made.mesh, made.region, parts, threads);
+  const std::vector<std::uint8_t> drop = misplacedShells(made.mesh, made.region, parts, threads);
   if (!anyOf(drop)) return;
   const auto erase = [&](auto& ofTriangle) {
     std::size_t kept = 0;

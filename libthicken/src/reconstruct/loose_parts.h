@@ -14,7 +14,7 @@ namespace thicken {
 void dropSpecks(Assembly& assembly, double width, int threads);
 
 /// Removes pieces of a contour without meetings that turned inside out when they were shaped, or that
-/// float in nothing: exact, by where their lowest vertex lies.
+/// float in nothing (misplacedShells()).
 void dropMisplaced(Assembly& assembly, int threads);
 /// The same of what was put together; `surfaceVertices`: of S, which come first.
 void dropMisplaced(Reconstruction& made, std::size_t surfaceVertices, int threads);

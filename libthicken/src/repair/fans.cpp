@@ -46,8 +46,8 @@ std::vector<std::vector<TriangleId>> fansAt(const Workpiece& piece, const Vertex
   return fans;
 }
 
-void giveUpPinched(const Workpiece& piece, const VertexTriangles& around, std::span<const double> areaAt,
-                   GivenUp& given) {
+void giveUpNonManifold(const Workpiece& piece, const VertexTriangles& around, std::span<const double> areaAt,
+                       GivenUp& given) {
   for (VertexId v = 0; v + 1 < around.offset.size(); ++v) {
     const auto fans = fansAt(piece, around, v, given.edge);
     if (fans.size() < 2) continue;
@@ -66,18 +66,18 @@ void giveUpPinched(const Workpiece& piece, const VertexTriangles& around, std::s
   }
 }
 
-bool cutPinchedVertices(Workpiece& piece) {
+bool cutNonManifoldVertices(Workpiece& piece) {
   const std::size_t slots = 3 * piece.mesh.triangles.size();
   GivenUp given{std::vector<std::uint8_t>(slots, 0), std::vector<std::uint8_t>(slots, 0)};
   const VertexTriangles around = vertexTriangles(piece.mesh.positions.size(), piece.mesh.triangles);
-  giveUpPinched(piece, around, sheetsOf(piece).areaAt, given);
+  giveUpNonManifold(piece, around, sheetsOf(piece).areaAt, given);
   const bool any =
       std::any_of(given.corner.begin(), given.corner.end(), [](std::uint8_t c) { return c != 0; });
   if (any) retreat(piece, given, RepairKind::kNonManifoldVertex);
   return any;
 }
 
-void openPinchedVertices(Workpiece& piece, const VertexTriangles& around) {
+void openNonManifoldVertices(Workpiece& piece, const VertexTriangles& around) {
   std::vector<VertexId> open(piece.mesh.positions.size());
   std::iota(open.rbegin(), open.rend(), 0u);
   while (!open.empty()) {

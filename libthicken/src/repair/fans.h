@@ -21,14 +21,14 @@ namespace thicken::repairing {
 
 /// At each vertex of several fans all but one give it up: the one of the sheet with the largest area
 /// stays (`areaAt`, per triangle), and of these the one with the largest area itself.
-void giveUpPinched(const Workpiece& piece, const VertexTriangles& around, std::span<const double> areaAt,
-                   GivenUp& given);
+void giveUpNonManifold(const Workpiece& piece, const VertexTriangles& around, std::span<const double> areaAt,
+                       GivenUp& given);
 
 /// Cuts parts back that touch others in a point only. Returns whether there were any.
-bool cutPinchedVertices(Workpiece& piece);
+bool cutNonManifoldVertices(Workpiece& piece);
 
 /// At each vertex of several fans of triangles all but the one with the largest area are removed,
 /// until no such vertex is left.
-void openPinchedVertices(Workpiece& piece, const VertexTriangles& around);
+void openNonManifoldVertices(Workpiece& piece, const VertexTriangles& around);
 
 }  // namespace thicken::repairing

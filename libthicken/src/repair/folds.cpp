@@ -92,7 +92,7 @@ void FoldOpener::removeAt(Workpiece& piece, const VertexTriangles& around,
     else
       removeBeyondFan(piece, around, v);
   }
-  openPinchedVertices(piece, around);
+  openNonManifoldVertices(piece, around);
 }
 
 // Tries what is near the places that were changed. What was opened before is not tried again: each trial

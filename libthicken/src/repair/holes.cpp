@@ -55,7 +55,7 @@ class Filling {
     surroundings(loop);
     EdgeSet taken;
     for (const auto& [v, others] : beside_)
-      for (const VertexId w : others) taken.insert((std::uint64_t{std::min(v, w)} << 32) | std::max(v, w));
+      for (const VertexId w : others) taken.insert(edgeKey(v, w));
     const auto hasArea = [&](const Triangle& t) {
       return !exact::collinear(at()[t[0]], at()[t[1]], at()[t[2]]);
     };

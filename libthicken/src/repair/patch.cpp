@@ -71,7 +71,7 @@ Patch patchAround(const Workpiece& piece, const VertexTriangles& around, std::sp
     part.present[t] &=
         static_cast<std::uint8_t>(std::all_of(c.begin(), c.end(), [&](VertexId v) { return near[v] != 0; }));
   }
-  openPinchedVertices(part, around);  // cutting out may leave parts that touch in a point only
+  openNonManifoldVertices(part, around);  // cutting out may leave parts that touch in a point only
   const std::vector<std::uint8_t>& inside = part.present;
   std::vector<std::uint8_t> whole(piece.mesh.positions.size(), 1);
   for (TriangleId t = 0; t < count; ++t)

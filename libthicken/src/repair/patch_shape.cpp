@@ -41,16 +41,12 @@ PatchShape::PatchShape(std::vector<Vec3>& positions, std::vector<Triangle> trian
       taken_(taken),
       firstOwn_(static_cast<VertexId>(positions.size())) {}
 
-std::uint64_t PatchShape::key(VertexId a, VertexId b) {
-  return (std::uint64_t{std::min(a, b)} << 32) | std::max(a, b);
-}
-
 void PatchShape::mapEdges() {
   edges_.clear();
   for (TriangleId t = 0; t < triangles_.size(); ++t)
     for (int k = 0; k < 3; ++k) {
       const auto [it, fresh] =
-          edges_.try_emplace(key(triangles_[t][k], triangles_[t][(k + 1) % 3]), std::array{t, kNone});
+          edges_.try_emplace(edgeKey(triangles_[t][k], triangles_[t][(k + 1) % 3]), std::array{t, kNone});
       if (!fresh) it->second[1] = t;
     }
 }
@@ -106,15 +102,15 @@ bool PatchShape::turn(VertexId a, VertexId b, TriangleId t, TriangleId u) {
   constexpr double kHalfTurn = 3.141592653589793, kRounding = 1e-9;
   if (c == d || angleAt(at_[c], at_[a], at_[b]) + angleAt(at_[d], at_[a], at_[b]) < kHalfTurn + kRounding)
     return false;
-  if (edges_.count(key(c, d)) + taken_.count(key(c, d)) > 0) return false;
+  if (edges_.count(edgeKey(c, d)) + taken_.count(edgeKey(c, d)) > 0) return false;
   const Triangle& old = triangles_[t];
   for (int k = 0; k < 3; ++k)
     if (old[k] == b && old[(k + 1) % 3] == a) std::swap(a, b);  // t runs from a to b
   const Triangle first{a, d, c}, second{d, b, c};
   const Vec3 normal = normalOf(at_, triangles_[t]) + normalOf(at_, triangles_[u]);
   if (normalOf(at_, first).dot(normal) <= 0 || normalOf(at_, second).dot(normal) <= 0) return false;
-  edges_.erase(key(a, b));
-  edges_[key(c, d)] = {t, u};
+  edges_.erase(edgeKey(a, b));
+  edges_[edgeKey(c, d)] = {t, u};
   triangles_[t] = first;
   triangles_[u] = second;
   return true;

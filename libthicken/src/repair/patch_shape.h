@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "mesh/minimal_area.h"
+#include "mesh/edge_key.h"
 #include "thicken/mesh.h"
 
 namespace thicken::repairing {
@@ -31,7 +31,6 @@ class PatchShape {
   [[nodiscard]] const std::vector<Triangle>& triangles() const { return triangles_; }
 
  private:
-  [[nodiscard]] static std::uint64_t key(VertexId a, VertexId b);
   [[nodiscard]] bool divideLarge(std::size_t most);
   void turnEdges();
   [[nodiscard]] bool turn(VertexId a, VertexId b, TriangleId t, TriangleId u);

@@ -14,13 +14,13 @@
 #include "repair/borders.h"
 #include "repair/bridges.h"
 #include "repair/cover.h"
-#include "repair/crowded_edges.h"
 #include "repair/crumbs.h"
 #include "repair/fans.h"
 #include "repair/holes.h"
 #include "repair/ledger.h"
 #include "repair/meetings.h"
 #include "repair/near_corners.h"
+#include "repair/non_manifold_edges.h"
 #include "repair/overlaps.h"
 #include "repair/put_back.h"
 #include "repair/seams.h"
@@ -149,7 +149,7 @@ void separate(Workpiece& piece, const repairing::KnownMeetings& known,
   for (const TriangleId t : repairing::smallCover(graph, piece.present, weight))
     piece.remove(t, RepairKind::kSelfIntersecting);
   const VertexTriangles around = vertexTriangles(piece.mesh.positions.size(), piece.mesh.triangles);
-  openPinchedVertices(piece, around);
+  openNonManifoldVertices(piece, around);
   std::vector<std::uint8_t> candidate(count, 0);
   for (TriangleId t = 0; t < count; ++t) {
     candidate[t] = piece.present[t] == 0 && mayReturn[t] != 0 && known.goneForGood[t] == 0;
@@ -182,7 +182,7 @@ SeamFacts mend(Workpiece& piece, const RepairOptions& options, repairing::Ledger
   // All three are done, in this order.
   const bool overlapping = removeOverlaps(piece, known.pairs, threads);
   const bool ended = endSheetsAtEdges(piece);
-  const bool cut = cutPinchedVertices(piece);
+  const bool cut = cutNonManifoldVertices(piece);
   if (overlapping || ended || cut) {
     dropCrumbs(piece, before, fin);
     known = findMeetings(piece, context, threads);

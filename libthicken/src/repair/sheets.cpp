@@ -29,7 +29,7 @@ class SheetFinder {
     sumBends();
     UnionFind sheets = patches_;
     std::vector<std::vector<SlotPair>> pairs;
-    for (const CrowdedEdge& edge : result_.edges) {
+    for (const NonManifoldEdge& edge : result_.edges) {
       pairs.push_back(pairedUp(edge, patchArea));
       for (const SlotPair& p : pairs.back())
         if (bendOf(p) < kRightAngle) sheets.join(p[0] / 3, p[1] / 3);
@@ -52,7 +52,7 @@ class SheetFinder {
     edges.forEachEdge(
         [&](VertexId, VertexId, std::span<const HalfEdge> uses, std::span<const HalfEdge> back) {
           if (uses.size() + back.size() < 2) return;
-          CrowdedEdge edge;
+          NonManifoldEdge edge;
           for (const auto& list : {uses, back})
             for (const HalfEdge& e : list) edge.slots.push_back(e.slot);
           if (edge.slots.size() == 2)
@@ -92,14 +92,14 @@ class SheetFinder {
   }
 
   template <class Visit>
-  static void forEachPair(const CrowdedEdge& edge, Visit visit) {
+  static void forEachPair(const NonManifoldEdge& edge, Visit visit) {
     for (std::size_t i = 0; i < edge.slots.size(); ++i)
       for (std::size_t k = i + 1; k < edge.slots.size(); ++k) visit(SlotPair{edge.slots[i], edge.slots[k]});
   }
 
   // The mean angle between the patches' planes over the edges that they share, by length.
   void sumBends() {
-    for (const CrowdedEdge& edge : result_.edges) {
+    for (const NonManifoldEdge& edge : result_.edges) {
       const double length = lengthOf(edge.slots[0]);
       forEachPair(edge, [&](const SlotPair& p) {
         const double cosine = std::clamp(-inwardOf(p[0]).dot(inwardOf(p[1])), -1.0, 1.0);
@@ -118,7 +118,7 @@ class SheetFinder {
     return std::max(area[groups.root(p[0] / 3)], area[groups.root(p[1] / 3)]);
   }
 
-  std::vector<SlotPair> pairedUp(const CrowdedEdge& edge, const std::vector<double>& patchArea) {
+  std::vector<SlotPair> pairedUp(const NonManifoldEdge& edge, const std::vector<double>& patchArea) {
     std::vector<std::tuple<double, bool, double, SlotPair>> open;  // bend, one sense, area of both, who
     forEachPair(edge, [&](const SlotPair& p) {
       const double area = patchArea[patches_.root(p[0] / 3)] + patchArea[patches_.root(p[1] / 3)];

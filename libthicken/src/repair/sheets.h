@@ -11,13 +11,13 @@
 namespace thicken::repairing {
 
 /// An edge of three or more triangles.
-struct CrowdedEdge {
+struct NonManifoldEdge {
   std::vector<std::uint32_t> slots;        ///< all uses, as 3 · triangle + corner
   std::array<std::uint32_t, 2> through{};  ///< the two of them that the surface keeps
 };
 
 struct Sheets {
-  std::vector<CrowdedEdge> edges;
+  std::vector<NonManifoldEdge> edges;
   std::vector<TriangleId> sheetOf;  ///< per triangle: the lowest of its sheet
   std::vector<double> areaAt;       ///< mm² per triangle: of the sheet that it belongs to
 };

@@ -61,16 +61,20 @@ Collapse::Collapse(TriangleMesh& mesh, LinkedMesh& links, std::span<const Region
   countCreases();
   const Components parts = componentsOf(mesh.positions.size(), mesh.triangles, threads);
   part_ = parts.ofTriangle;
+  apex_.assign(parts.count, Vec3::Zero());
+  for (TriangleId t = 0; t < part_.size(); ++t) apex_[part_[t]] = mesh.positions[mesh.triangles[t][0]];
   volume_.assign(parts.count, 0);
-  for (TriangleId t = 0; t < part_.size(); ++t) volume_[part_[t]] += volumeBelow(mesh.triangles[t]);
+  for (TriangleId t = 0; t < part_.size(); ++t) volume_[part_[t]] += volumeBelow(part_[t], mesh.triangles[t]);
   leastVolume_ = volume_;
   for (double& least : leastVolume_) least *= kLeastVolume;
 }
 
-// Six times that between a triangle and the center.
-double Collapse::volumeBelow(const Triangle& t) const {
+// Six times that between a triangle and a place on its part. From farther away the volume of a crumb would be
+// no more than rounding.
+double Collapse::volumeBelow(std::uint32_t part, const Triangle& t) const {
   const auto [p, q, s] = cornersOf(t);
-  return (p - center_).dot((q - center_).cross(s - center_));
+  const Vec3& apex = apex_[part];
+  return (p - apex).dot((q - apex).cross(s - apex));
 }
 
 void Collapse::countCreases() {
@@ -189,7 +193,7 @@ void Collapse::gatherChanged(VertexId a, VertexId b) {
     const auto [p, q, s] = cornersOf(mesh_.triangles[t]);
     const Vec3 normal = (q - p).cross(s - p);
     oldAspect_ = std::max(oldAspect_, aspectOf(p, q, s));
-    volumeBefore_ += volumeBelow(mesh_.triangles[t]);
+    volumeBefore_ += volumeBelow(part_[t], mesh_.triangles[t]);
     anyLoose_ |= targets_.isLoose[t] != 0;
     allLoose_ &= targets_.isLoose[t] != 0;  // walls always are
     facing_[region_[t] == Region::kWall] += normal;
@@ -239,9 +243,9 @@ bool Collapse::areWellShaped() const {
 }
 
 bool Collapse::keepsVolume() {
-  change_ = -volumeBefore_;
-  for (const Changed& c : changed_) change_ += volumeBelow(c.corners);
   const std::uint32_t part = part_[gone_[0]];
+  change_ = -volumeBefore_;
+  for (const Changed& c : changed_) change_ += volumeBelow(part, c.corners);
   const double volume = volume_[part] + change_, least = leastVolume_[part];
   return least > 0 ? volume >= least : volume <= least;
 }

@@ -63,7 +63,7 @@ class Collapse {
   void push(VertexId a, VertexId b, TriangleId left, TriangleId right);
   [[nodiscard]] bool isRemovable(VertexId v, bool alongCrease) const;
   bool tryEdge(VertexId a, VertexId b);
-  [[nodiscard]] double volumeBelow(const Triangle& t) const;
+  [[nodiscard]] double volumeBelow(std::uint32_t part, const Triangle& t) const;
   bool tryAt(VertexId keep, VertexId go, const Vec3& place, bool isNew);
   void gatherChanged(VertexId a, VertexId b);
   [[nodiscard]] bool areWellShaped() const;
@@ -96,6 +96,7 @@ class Collapse {
   double largest_ = 0;
   std::vector<std::uint32_t> part_;           // per triangle: the part of the boundary that it belongs to
   std::vector<double> volume_, leastVolume_;  // per part: six times its signed volume, mm³
+  std::vector<Vec3> apex_;                    // per part: a place on it, from where volumes are measured
   // Of the collapse that is tried:
   std::array<VertexId, 2> edge_{};
   std::array<TriangleId, 2> gone_{};

@@ -5,7 +5,9 @@
 #include <numeric>
 #include <utility>
 
+#include "check/misplaced_shells.h"
 #include "mesh/bounds.h"
+#include "mesh/topology.h"
 #include "simplify/collapse.h"
 
 namespace thicken {
@@ -21,14 +23,14 @@ constexpr double kShare = 0.7;
 // A proof for some triangles allows for less rounding than that for all of the solid.
 constexpr double kProvedShare = 0.999;
 
-// Drops triangles that are gone and vertices that none uses; S's stay, used or not.
-void compact(TriangleMesh& solid, std::vector<Region>& region, const LinkedMesh& links,
+// Drops triangles and vertices that none uses; S's vertices stay, used or not.
+void compact(TriangleMesh& solid, std::vector<Region>& region, std::span<const std::uint8_t> isGone,
              std::size_t surfaceVertices) {
   constexpr VertexId kUnused = 0xffffffffu;
   std::size_t count = 0;
   std::vector<VertexId> to(solid.positions.size(), kUnused);
   for (TriangleId t = 0; t < solid.triangles.size(); ++t) {
-    if (links.isGone(t)) continue;
+    if (isGone[t]) continue;
     region[count] = region[t];
     solid.triangles[count++] = solid.triangles[t];
     for (const VertexId v : solid.triangles[t]) to[v] = 0;
@@ -44,6 +46,22 @@ void compact(TriangleMesh& solid, std::vector<Region>& region, const LinkedMesh&
   solid.positions.resize(next);
   for (Triangle& t : solid.triangles)
     for (VertexId& v : t) v = to[v];
+}
+
+// Triangles that went with an edge.
+std::vector<std::uint8_t> collapsedIn(const LinkedMesh& links, std::size_t triangles) {
+  std::vector<std::uint8_t> isGone(triangles);
+  for (TriangleId t = 0; t < triangles; ++t) isGone[t] = links.isGone(t);
+  return isGone;
+}
+
+// Triangles of parts smaller than the tolerance that another part of the boundary has passed.
+std::vector<std::uint8_t> passedBy(const TriangleMesh& solid, std::span<const Region> region, int threads) {
+  const Components shells = componentsOf(solid.positions.size(), solid.triangles, threads);
+  const std::vector<std::uint8_t> isMisplaced = misplacedShells(solid, region, shells, threads);
+  std::vector<std::uint8_t> is(solid.triangles.size());
+  for (TriangleId t = 0; t < is.size(); ++t) is[t] = isMisplaced[shells.ofTriangle[t]];
+  return is;
 }
 
 double worstAspect(const TriangleMesh& solid, std::span<const Region> region) {
@@ -74,7 +92,9 @@ double collapsed(TriangleMesh& solid, std::vector<Region>& region, const Simplif
   Collapse collapse(solid, links, region, surfaceVertices, definition, request.tree, targets, center, limits,
                     threads);
   collapse.run(context);
-  compact(solid, region, links, surfaceVertices);
+  compact(solid, region, collapsedIn(links, solid.triangles.size()), surfaceVertices);
+  if (request.side != Side::kBoth)  // where S is no part of the boundary
+    compact(solid, region, passedBy(solid, region, threads), surfaceVertices);
   return collapse.largestDeviation();
 }
 

@@ -2,320 +2,29 @@
 #include "sweep/corners.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <unordered_map>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
-#include "exact/triangle_pair.h"
 #include "measure/offset_error.h"
 #include "mesh/sort_unique.h"
-#include "mesh/union_find.h"
+#include "sweep/corner_surroundings.h"
 
 namespace thicken {
 
 namespace {
 
-using Triple = std::array<int, 3>;  // of planes, ascending
-using Triangulation = std::vector<Triple>;
-
-// More planes are merged, those that differ least first: a polygon of eight has 132 triangulations.
-constexpr std::size_t kMostPlanes = 8;
-
-// All triangulations of the polygon with the corners first … last.
-std::vector<Triangulation> triangulationsOf(int first, int last) {
-  if (last - first < 2) return {{}};
-  std::vector<Triangulation> all;
-  for (int apex = first + 1; apex < last; ++apex)
-    for (const Triangulation& left : triangulationsOf(first, apex))
-      for (const Triangulation& right : triangulationsOf(apex, last)) {
-        Triangulation t = left;
-        t.push_back({first, apex, last});
-        t.insert(t.end(), right.begin(), right.end());
-        all.push_back(std::move(t));
-      }
-  return all;
-}
-
-const std::vector<Triangulation>& triangulations(std::size_t planes) {
-  static const auto kAll = [] {
-    std::array<std::vector<Triangulation>, kMostPlanes + 1> all;
-    for (std::size_t n = 3; n <= kMostPlanes; ++n) all[n] = triangulationsOf(0, static_cast<int>(n) - 1);
-    return all;
-  }();
-  return kAll[planes];
-}
-
-// The triangles around a vertex v: triangle i is (v, ring i, ring i + 1).
-struct Fan {
-  std::vector<TriangleId> triangle;
-  std::vector<VertexId> ring;  // one more than triangles on the rim
-  [[nodiscard]] bool isClosed() const { return ring.size() == triangle.size(); }
-};
-
-Fan fanOf(std::span<const Triangle> triangles, std::span<const TriangleId> around, VertexId v) {
-  struct Step {
-    VertexId from, to;
-    TriangleId triangle;
-  };
-  std::vector<Step> steps;
-  for (const TriangleId t : around) {
-    const Triangle& s = triangles[t];
-    const int k = s[0] == v ? 0 : s[1] == v ? 1 : 2;
-    steps.push_back({s[(k + 1) % 3], s[(k + 2) % 3], t});
-  }
-  const auto enters = [&](VertexId u) {
-    return std::any_of(steps.begin(), steps.end(), [u](const Step& step) { return step.to == u; });
-  };
-  Fan fan;
-  VertexId at = steps.front().from;
-  for (const Step& step : steps)
-    if (!enters(step.from)) at = step.from;
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    const auto next =
-        std::find_if(steps.begin(), steps.end(), [at](const Step& step) { return step.from == at; });
-    if (next == steps.end()) return {};
-    fan.ring.push_back(at);
-    fan.triangle.push_back(next->triangle);
-    at = next->to;
-  }
-  if (at != fan.ring.front()) fan.ring.push_back(at);
-  return fan;
-}
-
-// Neighbours in a fan that one plane stands for.
-struct Plane {
-  Vec3 normal = Vec3::Zero();
-  std::size_t first = 0, count = 0;  // of the fan's triangles, cyclic
-};
-
-// The planes of a fan, those merged that are nearly parallel, and the most parallel ones where there are too
-// many.
-std::vector<Plane> planesOf(const Fan& fan, std::span<const Vec3> faceNormal) {
-  constexpr double kParallel = 1e-4;  // 1 − cos: 0.8 degrees
-  std::vector<Plane> planes;
-  for (std::size_t i = 0; i < fan.triangle.size(); ++i) planes.push_back({faceNormal[fan.triangle[i]], i, 1});
-  while (planes.size() > 3) {
-    std::size_t best = 0;
-    double most = -1;
-    for (std::size_t i = 0; i < planes.size(); ++i)
-      if (const double c = planes[i].normal.dot(planes[(i + 1) % planes.size()].normal); c > most) {
-        most = c;
-        best = i;
-      }
-    if (most < 1 - kParallel && planes.size() <= kMostPlanes) break;
-    const std::size_t next = (best + 1) % planes.size();
-    Plane& one = planes[best];
-    const Plane& other = planes[next];
-    one.normal = (double(one.count) * one.normal + double(other.count) * other.normal).stableNormalized();
-    one.count += other.count;
-    planes.erase(planes.begin() + static_cast<std::ptrdiff_t>(next));
-  }
-  return planes;
-}
-
-// m with n·m = 1 for three planes.
-std::optional<Vec3> meetingPoint(const std::vector<Plane>& planes, const Triple& t) {
-  Eigen::Matrix3d a;
-  for (int k = 0; k < 3; ++k) a.row(k) = planes[t[k]].normal.transpose();
-  constexpr double kFlat = 1e-6;
-  if (std::abs(a.determinant()) < kFlat) return std::nullopt;
-  const Vec3 m = a.inverse() * Vec3::Ones();
-  if (!(m.norm() <= kMitreLimit)) return std::nullopt;
-  return m;
-}
-
-// Offset vertices in the place of one, in terms of m, and those at each triangle of the fan, in the order
-// from the triangle after it to the one before it.
-struct Corner {
-  std::vector<Vec3> m;
-  std::vector<std::vector<int>> chain;
-};
-
-class CornerMaker {
- public:
-  CornerMaker(const Fan& fan, std::span<const Vec3> faceNormal, const Vec3& single)
-      : fan_(fan), normal_(faceNormal), single_(single), planes_(planesOf(fan, faceNormal)) {}
-
-  /// Triangulations whose points there are, those first whose points are nearest to the single copy.
-  [[nodiscard]] std::vector<const Triangulation*> candidates() {
-    std::vector<std::pair<double, const Triangulation*>> found;
-    for (const Triangulation& t : triangulations(planes_.size())) {
-      double way = 0;
-      const bool is = std::all_of(t.begin(), t.end(), [&](const Triple& triple) {
-        const std::optional<Vec3>& p = pointOf(triple);
-        if (p) way += (*p - single_).squaredNorm();
-        return p.has_value();
-      });
-      if (is) found.emplace_back(way, &t);
-    }
-    std::stable_sort(found.begin(), found.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
-    std::vector<const Triangulation*> sorted;
-    for (const auto& [way, t] : found) sorted.push_back(t);
-    return sorted;
-  }
-
-  [[nodiscard]] Corner corner(const Triangulation& t) {
-    std::vector<Vec3> m;
-    for (const Triple& triple : t) m.push_back(*pointOf(triple));
-    return cornerOf(t, m);
-  }
-
-  /// The farthest that any vertex of a corner is off from a plane that it is on, in r.
-  [[nodiscard]] double errorOf(const Corner& corner) const {
-    double most = 0;
-    for (std::size_t i = 0; i < corner.chain.size(); ++i)
-      for (const int c : corner.chain[i])
-        most = std::max(most, std::abs(normal_[fan_.triangle[i]].dot(corner.m[c]) - 1));
-    return most;
-  }
-
- private:
-  const std::optional<Vec3>& pointOf(const Triple& t) {
-    const std::size_t key = (t[0] * kMostPlanes + t[1]) * kMostPlanes + t[2];
-    if (!std::exchange(known_[key], std::uint8_t{1})) points_[key] = meetingPoint(planes_, t);
-    return points_[key];
-  }
-
-  [[nodiscard]] Corner cornerOf(const Triangulation& t, const std::vector<Vec3>& m) const {
-    // Vertices that are nearly at one place are one: an edge so short is a needle of a triangle.
-    constexpr double kNear = 0.01;  // of r
-    UnionFind same(t.size());
-    for (std::size_t i = 0; i < t.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        if (sharePlanes(t[i], t[j]) && (m[i] - m[j]).norm() < kNear)
-          same.join(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
-    Corner corner;
-    std::vector<int> number(t.size(), -1), count;
-    for (std::size_t i = 0; i < t.size(); ++i) {
-      int& own = number[same.root(static_cast<std::uint32_t>(i))];
-      if (own < 0) {
-        own = static_cast<int>(corner.m.size());
-        corner.m.push_back(Vec3::Zero());
-        count.push_back(0);
-      }
-      corner.m[own] += m[i];
-      ++count[own];
-    }
-    for (std::size_t i = 0; i < count.size(); ++i) corner.m[i] /= count[i];
-    corner.chain.resize(fan_.triangle.size());
-    for (std::size_t p = 0; p < planes_.size(); ++p) {
-      std::vector<int> chain;
-      for (const std::size_t i : trianglesAt(t, static_cast<int>(p)))
-        if (const int c = number[same.root(static_cast<std::uint32_t>(i))];
-            chain.empty() || chain.back() != c)
-          chain.push_back(c);
-      share(planes_[p], chain, corner);
-    }
-    return corner;
-  }
-
-  [[nodiscard]] static bool sharePlanes(const Triple& a, const Triple& b) {
-    int shared = 0;
-    for (const int x : a) shared += x == b[0] || x == b[1] || x == b[2];
-    return shared == 2;
-  }
-
-  // The triangles of a triangulation at one corner of the polygon, from its next side to its last.
-  [[nodiscard]] std::vector<std::size_t> trianglesAt(const Triangulation& t, int corner) const {
-    const int n = static_cast<int>(planes_.size());
-    std::vector<std::pair<int, std::size_t>> at;
-    for (std::size_t i = 0; i < t.size(); ++i) {
-      int nearest = n;
-      bool has = false;
-      for (const int x : t[i]) {
-        if (x == corner)
-          has = true;
-        else
-          nearest = std::min(nearest, (x - corner + n) % n);
-      }
-      if (has) at.emplace_back(nearest, i);
-    }
-    std::sort(at.begin(), at.end());
-    std::vector<std::size_t> ids;
-    for (const auto& [nearest, i] : at) ids.push_back(i);
-    return ids;
-  }
-
-  // Hands a chain out to the triangles of a plane: all of it to the one with the widest angle, its ends to
-  // the others.
-  void share(const Plane& plane, const std::vector<int>& chain, Corner& corner) const {
-    const std::size_t n = fan_.triangle.size(), whole = plane.count / 2;
-    for (std::size_t i = 0; i < plane.count; ++i) {
-      auto& own = corner.chain[(plane.first + i) % n];
-      if (i == whole)
-        own = chain;
-      else
-        own = {i < whole ? chain.back() : chain.front()};
-    }
-  }
-
-  const Fan& fan_;
-  std::span<const Vec3> normal_;
-  Vec3 single_;
-  std::vector<Plane> planes_;
-  static constexpr std::size_t kTriples = kMostPlanes * kMostPlanes * kMostPlanes;
-  std::array<std::optional<Vec3>, kTriples> points_;  // where three planes meet, as far as asked for
-  std::array<std::uint8_t, kTriples> known_{};
-};
-
-// The triangulation of a small plane polygon with the shortest chords whose triangles all face along
-// `normal`; empty where there is none.
-std::vector<std::array<int, 3>> triangulated(const std::vector<Vec3>& p, const Vec3& normal) {
-  constexpr double kInfinite = std::numeric_limits<double>::infinity();
-  constexpr double kThinnest = 1e-6;  // altitude over longest edge
-  const int n = static_cast<int>(p.size());
-  std::vector<double> cost(n * n, 0);
-  std::vector<int> apex(n * n, -1);
-  const auto faces = [&](int a, int b, int c) {
-    const Vec3 &x = p[a], &y = p[b], &z = p[c];
-    const double longest = std::max({(y - x).squaredNorm(), (z - y).squaredNorm(), (x - z).squaredNorm()});
-    return (y - x).cross(z - x).dot(normal) > kThinnest * longest;
-  };
-  for (int length = 2; length < n; ++length)
-    for (int i = 0; i + length < n; ++i) {
-      const int j = i + length;
-      double& best = cost[i * n + j];
-      best = kInfinite;
-      for (int k = i + 1; k < j; ++k) {
-        const double sum = cost[i * n + k] + cost[k * n + j];
-        if (sum < best && faces(i, k, j)) {
-          best = sum;
-          apex[i * n + j] = k;
-        }
-      }
-      best += (p[i] - p[j]).norm();
-    }
-  std::vector<std::array<int, 3>> triangles;
-  if (!(cost[n - 1] < kInfinite)) return triangles;
-  std::vector<std::pair<int, int>> open{{0, n - 1}};
-  while (!open.empty()) {
-    const auto [i, j] = open.back();
-    open.pop_back();
-    const int k = apex[i * n + j];
-    if (k < 0) continue;
-    triangles.push_back({i, k, j});
-    open.emplace_back(i, k);
-    open.emplace_back(k, j);
-  }
-  return triangles;
-}
-
 // The shell of one side of S, of which corners are divided or cut.
-class CornerDivider {
+class CornerDivider : private CopiedShell {
  public:
+  using CopiedShell::listCopied;
+
   CornerDivider(SweptMesh& mesh, std::span<const Vec3> faceNormal, const VertexTriangles& around,
                 std::size_t firstCopy, double sign)
-      : mesh_(mesh), normal_(faceNormal), around_(around), firstCopy_(firstCopy), sign_(sign) {
-    listCopied();
-  }
+      : CopiedShell(mesh, around, firstCopy, sign), mesh_(mesh), normal_(faceNormal) {}
 
   void divide(VertexId v) {
     const std::optional<Fan> fan = copiedFan(v);
@@ -324,12 +33,12 @@ class CornerDivider {
     CornerMaker maker(*fan, normal_, single);
     double before = 0;
     for (const TriangleId s : fan->triangle) before = std::max(before, std::abs(normal_[s].dot(single) - 1));
-    Surroundings surroundings(*this, v, *fan);
+    CornerSurroundings surroundings(*this, mesh_, normal_, around_, v, *fan);
     const auto most = surroundings.meetings(chainsAt(v, *fan));
     if (!most) return;
     constexpr std::size_t kMostTried = 8;
     std::size_t tried = 0;
-    for (const Triangulation* candidate : maker.candidates()) {
+    for (const PlaneTriangulation* candidate : maker.candidates()) {
       const Corner corner = maker.corner(*candidate);
       if (maker.errorOf(corner) > before / 2) continue;
       const std::size_t copies = mesh_.copies.size();
@@ -353,7 +62,7 @@ class CornerDivider {
     if (around_.of(v).empty()) return;
     const std::optional<Fan> fan = fanOf(mesh_.triangles, around_.of(v), v);
     const auto own = chainsAt(v, *fan);
-    Surroundings surroundings(*this, v, *fan);
+    CornerSurroundings surroundings(*this, mesh_, normal_, around_, v, *fan);
     const auto most = surroundings.meetings(own);
     if (!most) return;
     constexpr double kAway[] = {0.5, 1, 2};  // r
@@ -424,71 +133,9 @@ class CornerDivider {
     listCopied();
   }
 
-  // To be called when the triangles of the mesh have changed.
-  void listCopied() {
-    copied_.assign(mesh_.surfaceTriangles, {});
-    for (std::size_t t = mesh_.surfaceTriangles; t < mesh_.triangles.size(); ++t)
-      if (const TriangleId s = mesh_.above[t]; s != kNone && isOfThisShell(mesh_.triangles[t]))
-        copied_[s].push_back(static_cast<TriangleId>(t));
-  }
-
  private:
   using Chain = std::vector<std::uint32_t>;  // copies
   using Chains = std::array<Chain, 3>;       // at the corners of a triangle of S, in its sense
-
-  [[nodiscard]] bool isOfThisShell(const Triangle& t) const {
-    return mesh_.shells == 1 ||
-           (mesh_.copyOf(t[0]).offset.dot(mesh_.copies[firstCopy_ + mesh_.copyOf(t[0]).base].offset) > 0);
-  }
-
-  [[nodiscard]] Vec3 placeOf(std::size_t copy) const {
-    const Copy& c = mesh_.copies[copy];
-    return mesh_.positions[c.base] + c.depth * c.offset;
-  }
-
-  [[nodiscard]] Chains chainsOf(TriangleId s) const {
-    if (const auto it = chains_.find(s); it != chains_.end()) return it->second;
-    Chains chains;
-    for (int k = 0; k < 3; ++k) chains[k] = {static_cast<std::uint32_t>(firstCopy_ + mesh_.triangles[s][k])};
-    return chains;
-  }
-
-  // Whether all that the triangle was copied to is there, with no other vertices.
-  [[nodiscard]] bool isCopied(TriangleId s) const {
-    if (changed_.contains(s)) return true;
-    const Chains chains = chainsOf(s);
-    Chain all;
-    for (const Chain& chain : chains) all.insert(all.end(), chain.begin(), chain.end());
-    if (copied_[s].size() + 2 != all.size()) return false;
-    return std::all_of(copied_[s].begin(), copied_[s].end(), [&](TriangleId t) {
-      return std::all_of(mesh_.triangles[t].begin(), mesh_.triangles[t].end(), [&](VertexId x) {
-        return std::find(all.begin(), all.end(), x - mesh_.surfaceVertices) != all.end();
-      });
-    });
-  }
-
-  // The fan of a vertex whose triangles are all copied.
-  [[nodiscard]] std::optional<Fan> copiedFan(VertexId v) const {
-    const auto around = around_.of(v);
-    if (around.empty() ||
-        !std::all_of(around.begin(), around.end(), [&](TriangleId s) { return isCopied(s); }))
-      return std::nullopt;
-    Fan fan = fanOf(mesh_.triangles, around, v);
-    if (fan.triangle.size() != around.size()) return std::nullopt;
-    return fan;
-  }
-
-  [[nodiscard]] int cornerOf(TriangleId s, VertexId v) const {
-    const Triangle& t = mesh_.triangles[s];
-    return t[0] == v ? 0 : t[1] == v ? 1 : 2;
-  }
-
-  // The copies of `v` at each triangle of its fan.
-  [[nodiscard]] std::vector<Chain> chainsAt(VertexId v, const Fan& fan) const {
-    std::vector<Chain> chains;
-    for (const TriangleId s : fan.triangle) chains.push_back(chainsOf(s)[cornerOf(s, v)]);
-    return chains;
-  }
 
   std::uint32_t add(VertexId v, const Vec3& offset, double safety) {
     Copy c;
@@ -566,111 +213,8 @@ class CornerDivider {
     }
   }
 
-  // What the triangles around one vertex are copied to must not meet: S there, and the copies of the
-  // triangles that only share a vertex with them.
-  class Surroundings {
-   public:
-    Surroundings(const CornerDivider& shell, VertexId v, const Fan& fan) : shell_(shell), v_(v), fan_(fan) {
-      std::vector<TriangleId> near;
-      for (const VertexId u : fan.ring)
-        near.insert(near.end(), shell.around_.of(u).begin(), shell.around_.of(u).end());
-      sortUnique(near);
-      tooMany_ = near.size() > kMost;
-      if (tooMany_) return;
-      constexpr std::uint64_t kOfSurface = std::uint64_t{1} << 32;
-      for (const TriangleId s : near) {
-        Triangle t{};
-        for (int k = 0; k < 3; ++k) {
-          const VertexId x = shell.mesh_.triangles[s][k];
-          t[k] = vertex(kOfSurface + x, shell.mesh_.positions[x]);
-        }
-        triangles_.push_back(t);
-        if (std::find(fan.triangle.begin(), fan.triangle.end(), s) == fan.triangle.end() && shell.isCopied(s))
-          addCopy(s, shell.chainsOf(s));
-      }
-      for (const Triangle& t : triangles_) boxes_.push_back(boxOf(t));
-      fresh_.clear();
-    }
-
-    // How often the copies of the fan meet these and each other with `chains` at its vertex; nothing where
-    // one is folded over, or there are too many to look at.
-    std::optional<std::size_t> meetings(const std::vector<Chain>& chains) {
-      if (tooMany_) return std::nullopt;
-      const std::size_t near = triangles_.size();
-      bool folded = false;
-      for (std::size_t i = 0; i < fan_.triangle.size() && !folded; ++i) {
-        const TriangleId s = fan_.triangle[i];
-        if (!shell_.isCopied(s)) continue;
-        Chains all = shell_.chainsOf(s);
-        all[shell_.cornerOf(s, v_)] = chains[i];
-        folded = !addCopy(s, all);
-      }
-      std::size_t count = 0;
-      for (std::size_t i = near; i < triangles_.size() && !folded; ++i) {
-        const Box box = boxOf(triangles_[i]);
-        for (std::size_t j = 0; j < i; ++j)
-          if (box.intersects(boxes_[j]) && exact::meet(at_, triangles_[i], triangles_[j])) ++count;
-        boxes_.push_back(box);
-      }
-      triangles_.resize(near);
-      boxes_.resize(near);
-      for (const std::uint64_t key : fresh_) number_.erase(key);
-      fresh_.clear();
-      if (folded) return std::nullopt;
-      return count;
-    }
-
-   private:
-    using Box = Eigen::AlignedBox3d;
-    static constexpr std::size_t kMost = 128;  // triangles of S
-
-    [[nodiscard]] Box boxOf(const Triangle& t) const {
-      Box box(at_[t[0]]);
-      return box.extend(at_[t[1]]).extend(at_[t[2]]);
-    }
-
-    VertexId vertex(std::uint64_t key, const Vec3& p) {
-      const auto [it, isNew] = number_.emplace(key, static_cast<VertexId>(at_.size()));
-      if (isNew) {
-        at_.push_back(p);
-        fresh_.push_back(key);
-      }
-      return it->second;
-    }
-
-    // Adds the polygon that a triangle of S is copied to; false where it is folded over.
-    bool addCopy(TriangleId s, const Chains& chains) {
-      std::vector<VertexId> polygon;
-      std::vector<Vec3> p;
-      for (const Chain& chain : chains)
-        for (const std::uint32_t c : chain) {
-          p.push_back(shell_.placeOf(c));
-          polygon.push_back(vertex(c, p.back()));
-        }
-      const auto triangles = triangulated(p, shell_.normal_[s]);
-      for (const auto& [a, b, c] : triangles) triangles_.push_back({polygon[a], polygon[b], polygon[c]});
-      return !triangles.empty();
-    }
-
-    const CornerDivider& shell_;
-    VertexId v_;
-    const Fan& fan_;
-    bool tooMany_ = false;
-    std::vector<Vec3> at_;
-    std::vector<Triangle> triangles_;
-    std::vector<Box> boxes_;
-    std::unordered_map<std::uint64_t, VertexId> number_;
-    std::vector<std::uint64_t> fresh_;  // keys that were added for the fan
-  };
-
   SweptMesh& mesh_;
   std::span<const Vec3> normal_;
-  const VertexTriangles& around_;
-  std::size_t firstCopy_;
-  double sign_;
-  std::vector<std::vector<TriangleId>> copied_;  // per triangle of S: what it is copied to
-  std::unordered_map<TriangleId, Chains> chains_;
-  std::unordered_set<TriangleId> changed_;
   std::unordered_map<VertexId, Copy> single_;  // that a corner took the place of
 };
 

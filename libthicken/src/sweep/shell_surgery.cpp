@@ -17,13 +17,6 @@ namespace thicken {
 
 namespace {
 
-std::uint64_t directedKey(VertexId a, VertexId b) {
-  return (std::uint64_t{a} << 32) | b;
-}
-std::uint64_t edgeKey(VertexId a, VertexId b) {
-  return directedKey(std::min(a, b), std::max(a, b));
-}
-
 bool uses(const Triangle& t, VertexId v) {
   return std::find(t.begin(), t.end(), v) != t.end();
 }

@@ -3,11 +3,10 @@
 // The way between two vertices of a surface along its cut with a plane.
 #pragma once
 
-#include <cstdint>
 #include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
+#include "mesh/edge_key.h"
 #include "trim/divided_surface.h"
 
 namespace thicken::trimming {
@@ -16,17 +15,14 @@ namespace thicken::trimming {
 class PathMarks {
  public:
   void addVertex(VertexId v, std::size_t loop) { loopOf_.try_emplace(v, loop); }
-  void addEdge(VertexId a, VertexId b) { edges_.insert(key(a, b)); }
+  void addEdge(VertexId a, VertexId b) { edges_.insert(edgeKey(a, b)); }
   [[nodiscard]] bool hasVertex(VertexId v) const { return loopOf_.count(v) != 0; }
-  [[nodiscard]] bool hasEdge(VertexId a, VertexId b) const { return edges_.count(key(a, b)) != 0; }
+  [[nodiscard]] bool hasEdge(VertexId a, VertexId b) const { return edges_.count(edgeKey(a, b)) != 0; }
   [[nodiscard]] std::size_t loopOf(VertexId v) const { return loopOf_.at(v); }
 
  private:
-  static std::uint64_t key(VertexId a, VertexId b) {
-    return a < b ? (std::uint64_t{a} << 32) | b : (std::uint64_t{b} << 32) | a;
-  }
   std::unordered_map<VertexId, std::size_t> loopOf_;
-  std::unordered_set<std::uint64_t> edges_;
+  EdgeSet edges_;
 };
 
 /// A corner of a way: a vertex, or the point `place` of the edge between two vertices.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "repair/crowded_edges.h"
+#include "repair/non_manifold_edges.h"
 
 #include "repair/fans.h"
 #include "repair/retreat.h"
@@ -12,11 +12,11 @@ bool endSheetsAtEdges(Workpiece& piece) {
   if (sheets.edges.empty()) return false;
   const std::size_t slots = 3 * piece.mesh.triangles.size();
   GivenUp given{std::vector<std::uint8_t>(slots, 0), std::vector<std::uint8_t>(slots, 0)};
-  for (const CrowdedEdge& edge : sheets.edges)
+  for (const NonManifoldEdge& edge : sheets.edges)
     for (const std::uint32_t slot : edge.slots)
       given.edge[slot] = slot != edge.through[0] && slot != edge.through[1];
   const VertexTriangles around = vertexTriangles(piece.mesh.positions.size(), piece.mesh.triangles);
-  giveUpPinched(piece, around, sheets.areaAt, given);
+  giveUpNonManifold(piece, around, sheets.areaAt, given);
   retreat(piece, given, RepairKind::kNonManifoldEdge);
   return true;
 }
