@@ -73,10 +73,6 @@ def export_step(
 
 def read_back(path: Path) -> tuple[NDArray, NDArray]:
     """The vertices and triangles of a file that export_for_printing() wrote."""
-    if path.suffix == ".3mf":
-        from .core.read_3mf import read_3mf
-
-        return read_3mf(path)
     from thicken import native
 
     return native.load().read_mesh(path)

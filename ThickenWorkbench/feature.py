@@ -75,6 +75,7 @@ def make_thicken(
     join: str = "automatic",
     simplify: str = "auto",
     repair: bool = False,
+    gap: Any = 0,
     faces: Sequence[Any] = (),
     facets: Iterable[int] = (),
     deflection: Any = None,
@@ -87,7 +88,8 @@ def make_thicken(
     Lengths are numbers of mm, quantities, or text such as "2 mm". Without a thickness it is
     build.suggested_thickness(). `quality` is "draft", "standard" or "fine"; or give one of cell, resolution and
     tolerance. `join` is "intersection" (outside of convex edges planes go on until they meet), "arc" (they are rounded)
-    or "automatic", which is arc with a tolerance and for the method "reconstruct".
+    or "automatic", which is arc with a tolerance and for the method "reconstruct". With `gap` the solid begins so far
+    from the surface, and keeps not that but the surface there.
 
     `faces` (names such as "Face3") choose a part of a shape, `facets` (indices) a part of a mesh;
     `deflection` is the farthest that the triangles of a shape may be from it. With output="solid" a
@@ -103,7 +105,7 @@ def make_thicken(
     _require_sense(sources, choice, output)
     inputs = dict(
         side=side, method=method, join=join, repair=repair, smooth=smooth, simplify=simplify, quality=quality,
-        cell=cell, resolution=resolution, tolerance=tolerance,
+        cell=cell, resolution=resolution, tolerance=tolerance, gap=gap,
     )
     made = []
     try:

@@ -66,6 +66,7 @@ INPUTS = [
     _input("SourceFaces", "LinkSub", "Thicken", "The faces of the Source to thicken; none: all of them"),
     _input("Facets", "IntegerList", "Thicken", "The facets of the Source to thicken; none: all of them"),
     _input("Thickness", "Length", "Thicken", "How thick the solid is", 1.0),
+    _input("Gap", "Length", "Thicken", "The solid begins so far from the surface; 0: at the surface itself", 0.0),
     _input("Side", "Enumeration", "Thicken", "Where the material lies; normals point to the positive side", SIDES),
     _input("Method", "Enumeration", "Thicken", "How the solid is computed", METHODS),
     _input("Join", "Enumeration", "Thicken", "Outside of convex edges: planes that meet (Intersection) or a rounding (Arc)", JOINS),
@@ -143,7 +144,7 @@ def show_quality(obj: Any) -> None:
 
 def set_inputs(
     obj: Any, *, side: str, method: str, join: str, repair: bool, smooth: int | None, simplify: str, quality: str,
-    **numbers: Any,
+    gap: Any = 0, **numbers: Any,
 ) -> None:
     """Set what make_thicken() takes of numbers; of `numbers` (cell, resolution, tolerance) at most one is not None."""
     given = {name.capitalize(): value for name, value in numbers.items() if value is not None}
@@ -156,6 +157,7 @@ def set_inputs(
     obj.Method = _choice("method", method, METHODS)
     obj.Join = _choice("join", join, JOINS)
     obj.Repair = bool(repair)
+    obj.Gap = gap
     obj.Simplify = _choice("simplify", simplify, SIMPLIFY)
     if smooth is not None:
         if not 0 <= smooth <= 100:
@@ -185,6 +187,8 @@ def arguments(obj: Any) -> dict[str, Any]:
     if obj.Smooth >= 0:
         result["smooth"] = obj.Smooth
     result |= join_arguments(obj.Join)
+    if obj.Gap.Value > 0:
+        result["gap"] = obj.Gap.Value
     if obj.Simplify != SIMPLIFY[0]:
         result["simplify"] = obj.Simplify.lower()
     chosen = QUALITY_NUMBER[obj.Quality]

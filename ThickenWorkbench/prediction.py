@@ -15,7 +15,7 @@ _KEY = "TimesForecast"
 _WEIGHT = 0.3
 
 # The arguments of thicken_mesh() that make a difference.
-_NAMES = ("side", "method", "cell", "resolution", "tolerance", "threads")
+_NAMES = ("side", "method", "cell", "resolution", "tolerance", "gap", "threads")
 
 
 class Forecast(NamedTuple):

@@ -13,9 +13,10 @@ from typing import TYPE_CHECKING, Any, Iterable, Iterator
 import FreeCAD as App
 import numpy as np
 
+from thicken.arrays import render_picture, view_direction
+
 from . import runs
 from .numbers import count, language, number, percent, place
-from .core.picture import draw, view_along
 from .printability import Measured, report_step
 from .sources import DEFAULT_DEFLECTION
 
@@ -84,7 +85,7 @@ def page(measured: Measured, context: Any = None) -> str:
     return (
         f'<!DOCTYPE html>\n<html lang="{language()}"><head><meta charset="utf-8"><title>{title}</title>'
         f"<style>{_STYLE}</style></head><body>\n<h1>{title}</h1>\n{verdict}\n<table>{rows}</table>\n"
-        f'<h2>{pictures}</h2>\n<div class="pictures">{_pictures_if_possible(measured, context)}</div>\n</body></html>\n'
+        f'<h2>{pictures}</h2>\n<div class="pictures">{_pictures(measured, context)}</div>\n</body></html>\n'
     )
 
 
@@ -141,19 +142,11 @@ def _resin_rows(facts: dict[str, Any]) -> Iterator[tuple[str, str]]:
         yield translate("Thicken", "Stays below holes"), text
 
 
-def _pictures_if_possible(measured: Measured, context: Any) -> str:
-    try:
-        return _pictures(measured, context)
-    except ImportError as error:  # the facts are worth a page without them
-        none = translate("Thicken", "There are none: {reason}. They need Pillow.")
-        return f"<p>{escape(none.format(reason=error))}</p>"
-
-
 def _pictures(measured: Measured, context: Any) -> str:
     vertices, triangles, up = measured.vertices, measured.triangles, np.array(measured.facts["direction"])
     used = vertices[np.unique(triangles)]
     middle = (used.min(axis=0) + used.max(axis=0)) / 2
-    above, below, side = view_along(up, 35, 25), view_along(up, 35, -35), view_along(up, 0, 0)
+    above, below, side = view_direction(up, 35, 25), view_direction(up, 35, -35), view_direction(up, 0, 0)
     plain = np.tile(np.array(_PLAIN, float), (len(triangles), 1))
     # Colours, view and caption of each; None: not cut.
     views = [(plain, above, None, translate("Thicken", "From above."))]
@@ -171,9 +164,10 @@ def _pictures(measured: Measured, context: Any) -> str:
              _caption(walls, thin=_THIN, thick=_THICK, plain=_PLAIN, least=number(least), most=number(3 * least))),
         ]  # fmt: skip
     figures = []
-    for colours, view, cut_at, caption in views:
+    for colours, towards, cut_at, caption in views:
         runs.go_on(context)
-        content = base64.b64encode(draw(vertices, triangles, colours, view, cut_at=cut_at)).decode()
+        cut = None if cut_at is None else (cut_at, -towards)
+        content = base64.b64encode(render_picture(vertices, triangles, colours, towards=towards, up=up, cut=cut)).decode()
         figures.append(
             f'<figure><img alt="" src="data:image/png;base64,{content}"><figcaption>{caption}</figcaption></figure>'
         )

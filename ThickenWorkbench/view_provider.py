@@ -116,7 +116,7 @@ class RepairViewProvider(EditableViewProvider):
     icon = "repair_surface.svg"
 
 
-class TrimViewProvider(FeatureViewProvider):
+class TrimViewProvider(EditableViewProvider):
     """Of a part that was cut out of a surface."""
 
     icon = "trim_surface.svg"

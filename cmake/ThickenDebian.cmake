@@ -29,7 +29,7 @@ This package has the program for the command line.")
 
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libthicken-dev)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "libeigen3-dev, libzip-dev, zlib1g-dev, g++")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "libeigen3-dev, libzip-dev, zlib1g-dev, libexpat1-dev, g++")
 set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "library that makes printable solids of open mesh surfaces
 ${about}
 
@@ -41,7 +41,6 @@ if(TARGET _thicken)
   math(EXPR next "${Python_VERSION_MINOR} + 1")
   set(CPACK_DEBIAN_WORKBENCH_PACKAGE_NAME freecad-thicken)
   set(CPACK_DEBIAN_WORKBENCH_PACKAGE_DEPENDS "freecad, python3-numpy, python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next})")
-  set(CPACK_DEBIAN_WORKBENCH_PACKAGE_RECOMMENDS python3-pil)
   set(CPACK_COMPONENT_WORKBENCH_DESCRIPTION "FreeCAD workbench that makes printable solids of open mesh surfaces
 ${about}
 

@@ -295,10 +295,15 @@ def weld_mesh(vertices: ArrayLike, triangles: ArrayLike) -> tuple[NDArray[np.flo
 
 
 def read_mesh(path: str | os.PathLike[str]) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
-    """Return the vertices and triangles of a .stl, .ply, .obj or .off file, equal corners welded."""
+    """Return the vertices and triangles of a .stl, .ply, .obj, .off or .3mf file, equal corners welded."""
     return native.load().read_mesh(path)
 
 
-def write_mesh(path: str | os.PathLike[str], vertices: ArrayLike, triangles: ArrayLike) -> None:
-    """Write .stl, .ply, .obj, .off or .3mf, by the extension of `path`, whole or not at all."""
-    native.load().write_mesh(path, vertices, triangles)
+def write_mesh(
+    path: str | os.PathLike[str], vertices: ArrayLike, triangles: ArrayLike, *, region: ArrayLike | None = None
+) -> None:
+    """Write .stl, .ply, .obj, .off or .3mf, by the extension of `path`, whole or not at all.
+
+    With `region`, of a solid, a .3mf holds the regions of its triangles as colours; the other formats have none.
+    """
+    native.load().write_mesh(path, vertices, triangles, region=region)

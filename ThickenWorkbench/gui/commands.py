@@ -143,25 +143,30 @@ class TrimCommand(Command):
     name = "Thicken_Trim"
     icon = "trim_surface.svg"
     menu = QT_TRANSLATE_NOOP("Thicken_Trim", "Trim Surface")
-    tip = QT_TRANSLATE_NOOP("Thicken_Trim", "Cut the part within closed wires out of a surface")
+    tip = QT_TRANSLATE_NOOP("Thicken_Trim", "Cut a part out of a surface, along a loop that is clicked or closed wires")
     help = QT_TRANSLATE_NOOP(
         "Thicken_Trim",
-        "Select a mesh or a shape, and sketches or wires near it. The new object follows them; its rim is where the wires are on the surface.",
+        "Select a mesh or a shape, and click points of a loop on it. Or select sketches or wires near it, too. The new object follows them; its rim is where the loop is on the surface.",
     )
 
     def targets(self) -> list[Any]:
-        """The surface, and the wires after it."""
-        surfaces, wires = chosen.surface_objects()[:1], chosen.wires()
-        return [*surfaces, *wires] if surfaces and wires else []
+        """The surface, and the wires after it; without wires the loop is clicked."""
+        surfaces = chosen.surface_objects()[:1]
+        return [*surfaces, *chosen.wires()] if surfaces else []
 
     def is_usable(self) -> bool:
         return bool(self.targets())
 
     def activate(self) -> None:
+        from . import editing
+        from .trim_panel import TrimPanel
         from .trimming import trim
 
         source, *wires = self.targets()
-        trim(source, wires)
+        if wires:
+            trim(source, wires)
+        else:
+            editing.show(lambda: TrimPanel(source))
 
 
 class MapCommand(PanelCommand):

@@ -85,6 +85,10 @@ def _panel_of(feature: Any) -> Any:
         from .repair_panel import RepairPanel
 
         return RepairPanel(feature)
+    if kind == "TrimFeature":
+        from .trim_panel import TrimPanel
+
+        return TrimPanel(feature.Source, feature)
     from .surfaces import chosen_of
     from .thicken_panel import ThickenPanel
 

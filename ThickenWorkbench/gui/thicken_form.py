@@ -98,6 +98,12 @@ class ThickenForm:
         )
         on_value(self.thickness, lambda _: self._edited())
         rows.addRow(translate("Thicken", "Thickness"), self.thickness)
+        self.gap = _named(length_box(0.0), "Gap")
+        self.gap.setToolTip(
+            translate("Thicken", "The solid begins so far from the surface, and not at it; where there is no room it has a hole")
+        )
+        on_value(self.gap, lambda _: self._edited())
+        rows.addRow(translate("Thicken", "Gap"), self.gap)
         self.side = self._choice("Side", [
             translate("Thicken", "Negative (behind)"),
             translate("Thicken", "Positive (in front)"),
@@ -244,6 +250,7 @@ class ThickenForm:
             **self._quality(),
             "smooth": None if self.smooth.value() == AUTOMATIC else self.smooth.value(),
             "repair": self.repair.isChecked(),
+            "gap": float(self.gap.property("rawValue")) or None,
             "deflection": float(self.deflection.property("rawValue")) if self._of_shape else None,
         }
 
@@ -276,6 +283,7 @@ class ThickenForm:
         smooth = inputs.get("smooth")
         self.smooth.setValue(AUTOMATIC if smooth is None else smooth)
         self.repair.setChecked(bool(inputs.get("repair")))
+        self.gap.setProperty("rawValue", float(inputs.get("gap") or 0))
         if self._of_shape:
             self.deflection.setProperty("rawValue", float(inputs["deflection"]))
         self._quiet = False
@@ -310,7 +318,7 @@ class ThickenForm:
     def show_running(self, running: bool) -> None:
         """Progress and its button belong to a run, and nothing can be edited while it lasts."""
         self.run_row.show_running(running)
-        inputs = (self.pick, self.thickness, self.side, self.flip, self.method, self.join, self.simplify, self.quality,
+        inputs = (self.pick, self.thickness, self.gap, self.side, self.flip, self.method, self.join, self.simplify, self.quality,
                   self.tolerance, self.grid, self.length, self.cells, self.smooth, self.deflection, self.repair, self.preview)  # fmt: skip
         for widget in inputs:
             widget.setEnabled(not running)

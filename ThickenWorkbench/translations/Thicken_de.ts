@@ -505,10 +505,6 @@
         <translation>Bleibt unter Löchern</translation>
     </message>
     <message>
-        <source>There are none: {reason}. They need Pillow.</source>
-        <translation>Es gibt keine: {reason}. Sie brauchen Pillow.</translation>
-    </message>
-    <message>
         <source>From above.</source>
         <translation>Von oben.</translation>
     </message>
@@ -932,6 +928,46 @@
         <source>Shell only</source>
         <translation>Nur Schale</translation>
     </message>
+    <message>
+        <source>Gap</source>
+        <translation>Spalt</translation>
+    </message>
+    <message>
+        <source>A loop has three points at least. Click on the surface.</source>
+        <translation>Eine Schleife hat mindestens drei Punkte. Klicken Sie auf die Fläche.</translation>
+    </message>
+    <message>
+        <source>The loop is closed</source>
+        <translation>Die Schleife ist geschlossen</translation>
+    </message>
+    <message>
+        <source>Remove the point</source>
+        <translation>Punkt entfernen</translation>
+    </message>
+    <message>
+        <source>Keep the part inside</source>
+        <translation>Den inneren Teil behalten</translation>
+    </message>
+    <message>
+        <source>Rounds of smoothing</source>
+        <translation>Glättungsrunden</translation>
+    </message>
+    <message>
+        <source>Click on the surface to set points, and on the first one to close the loop. Points can be dragged; a new one comes after the one that is chosen.</source>
+        <translation>Klicken Sie auf die Fläche, um Punkte zu setzen, und auf den ersten, um die Schleife zu schließen. Punkte lassen sich ziehen; ein neuer kommt nach dem gewählten.</translation>
+    </message>
+    <message>
+        <source>The part inside of the loop stays. Click on the surface to keep that part.</source>
+        <translation>Der Teil innerhalb der Schleife bleibt. Klicken Sie auf die Fläche, um den Teil dort zu behalten.</translation>
+    </message>
+    <message>
+        <source>The part that was clicked on stays.</source>
+        <translation>Der angeklickte Teil bleibt.</translation>
+    </message>
+    <message>
+        <source>The solid begins so far from the surface, and not at it; where there is no room it has a hole</source>
+        <translation>Der Körper beginnt so weit von der Fläche entfernt und nicht an ihr; wo kein Platz ist, hat er ein Loch</translation>
+    </message>
 </context>
 <context>
     <name>ThickenPreferences</name>
@@ -1183,12 +1219,12 @@
         <translation>Fläche zuschneiden</translation>
     </message>
     <message>
-        <source>Cut the part within closed wires out of a surface</source>
-        <translation>Den Teil innerhalb geschlossener Drähte aus einer Fläche schneiden</translation>
+        <source>Cut a part out of a surface, along a loop that is clicked or closed wires</source>
+        <translation>Einen Teil aus einer Fläche schneiden, entlang einer angeklickten Schleife oder geschlossener Drähte</translation>
     </message>
     <message>
-        <source>Select a mesh or a shape, and sketches or wires near it. The new object follows them; its rim is where the wires are on the surface.</source>
-        <translation>Ein Netz oder eine Form wählen, dazu Skizzen oder Drähte in der Nähe. Das neue Objekt folgt ihnen; sein Rand liegt dort, wo die Drähte auf der Fläche sind.</translation>
+        <source>Select a mesh or a shape, and click points of a loop on it. Or select sketches or wires near it, too. The new object follows them; its rim is where the loop is on the surface.</source>
+        <translation>Wählen Sie ein Netz oder eine Form und klicken Sie Punkte einer Schleife darauf an. Oder wählen Sie auch Skizzen oder Drähte nahe daran. Das neue Objekt folgt ihnen; sein Rand liegt, wo die Schleife auf der Fläche liegt.</translation>
     </message>
 </context>
 </TS>

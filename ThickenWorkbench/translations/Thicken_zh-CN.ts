@@ -505,10 +505,6 @@
         <translation>孔下残留</translation>
     </message>
     <message>
-        <source>There are none: {reason}. They need Pillow.</source>
-        <translation>没有图片：{reason}。图片需要 Pillow。</translation>
-    </message>
-    <message>
         <source>From above.</source>
         <translation>从上方看。</translation>
     </message>
@@ -932,6 +928,46 @@
         <source>Shell only</source>
         <translation>仅壳</translation>
     </message>
+    <message>
+        <source>Gap</source>
+        <translation>间隙</translation>
+    </message>
+    <message>
+        <source>A loop has three points at least. Click on the surface.</source>
+        <translation>一条环线至少有三个点。请点击曲面。</translation>
+    </message>
+    <message>
+        <source>The loop is closed</source>
+        <translation>环线已闭合</translation>
+    </message>
+    <message>
+        <source>Remove the point</source>
+        <translation>删除该点</translation>
+    </message>
+    <message>
+        <source>Keep the part inside</source>
+        <translation>保留内侧部分</translation>
+    </message>
+    <message>
+        <source>Rounds of smoothing</source>
+        <translation>平滑次数</translation>
+    </message>
+    <message>
+        <source>Click on the surface to set points, and on the first one to close the loop. Points can be dragged; a new one comes after the one that is chosen.</source>
+        <translation>点击曲面以设置点，点击第一个点以闭合环线。点可以拖动；新点位于所选点之后。</translation>
+    </message>
+    <message>
+        <source>The part inside of the loop stays. Click on the surface to keep that part.</source>
+        <translation>环线内侧的部分保留。点击曲面可改为保留该处的部分。</translation>
+    </message>
+    <message>
+        <source>The part that was clicked on stays.</source>
+        <translation>保留被点击的部分。</translation>
+    </message>
+    <message>
+        <source>The solid begins so far from the surface, and not at it; where there is no room it has a hole</source>
+        <translation>实体从距曲面这么远处开始，而不是从曲面开始；空间不足处留有孔</translation>
+    </message>
 </context>
 <context>
     <name>ThickenPreferences</name>
@@ -1183,12 +1219,12 @@
         <translation>修剪曲面</translation>
     </message>
     <message>
-        <source>Cut the part within closed wires out of a surface</source>
-        <translation>从曲面上裁出闭合线框内的部分</translation>
+        <source>Cut a part out of a surface, along a loop that is clicked or closed wires</source>
+        <translation>沿点击的环线或闭合线框从曲面中裁出一部分</translation>
     </message>
     <message>
-        <source>Select a mesh or a shape, and sketches or wires near it. The new object follows them; its rim is where the wires are on the surface.</source>
-        <translation>选择网格或形状，以及其附近的草图或线框。新对象会跟随它们；其边界位于线框在曲面上的位置。</translation>
+        <source>Select a mesh or a shape, and click points of a loop on it. Or select sketches or wires near it, too. The new object follows them; its rim is where the loop is on the surface.</source>
+        <translation>选择网格或形状，并在其上点击环线的点。或者同时选择其附近的草图或线框。新对象会随之更新；其边缘位于环线在曲面上的位置。</translation>
     </message>
 </context>
 </TS>

@@ -94,6 +94,16 @@ py::array regionArray(const std::vector<Region>& regions) {
   return result;
 }
 
+std::vector<Region> regionsFrom(const RegionArray& array) {
+  std::vector<Region> regions;
+  for (py::ssize_t i = 0; i < array.size(); ++i) {
+    if (array.data()[i] > static_cast<std::uint8_t>(Region::kWall))
+      throw py::value_error("regions must be values of Region");
+    regions.push_back(static_cast<Region>(array.data()[i]));
+  }
+  return regions;
+}
+
 py::array numberArray(std::vector<double> numbers) {
   auto held = std::make_unique<std::vector<double>>(std::move(numbers));
   const auto n = static_cast<py::ssize_t>(held->size());

@@ -28,6 +28,10 @@ namespace thicken::python {
 /// m uint8: the values of Region.
 [[nodiscard]] pybind11::array regionArray(const std::vector<Region>& regions);
 
+/// The regions of m numbers. Raises ValueError for others than values of Region.
+using RegionArray = pybind11::array_t<std::uint8_t, pybind11::array::c_style | pybind11::array::forcecast>;
+[[nodiscard]] std::vector<Region> regionsFrom(const RegionArray& array);
+
 /// n float64. The array takes over the memory of `numbers`.
 [[nodiscard]] pybind11::array numberArray(std::vector<double> numbers);
 

@@ -14,7 +14,6 @@ namespace thicken::python {
 namespace {
 
 using Triple = std::array<double, 3>;
-using Bytes = py::array_t<std::uint8_t, py::array::c_style | py::array::forcecast>;
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 Vec3 vectorOf(const Triple& triple) {
@@ -34,23 +33,13 @@ std::vector<Colour> coloursFrom(const Numbers& colours) {
   return result;
 }
 
-std::vector<Colour> coloursFromRegions(const Bytes& regions) {
-  std::vector<Colour> result;
-  for (py::ssize_t i = 0; i < regions.size(); ++i) {
-    if (regions.data()[i] > static_cast<std::uint8_t>(Region::kWall))
-      throw py::value_error("regions must be values of Region");
-    result.push_back(colourOf(static_cast<Region>(regions.data()[i])));
-  }
-  return result;
-}
-
 py::bytes drawArrays(const py::object& vertices, const py::object& triangles,
-                     const std::optional<Numbers>& colours, const std::optional<Bytes>& region,
+                     const std::optional<Numbers>& colours, const std::optional<RegionArray>& region,
                      const Triple& towards, const Triple& up, std::pair<int, int> size,
                      const std::optional<std::pair<Triple, Triple>>& cut) {
   if (colours.has_value() == region.has_value()) throw py::value_error("give either colours or region");
   const TriangleMesh mesh = meshFrom(vertices, triangles);
-  const std::vector<Colour> painted = colours ? coloursFrom(*colours) : coloursFromRegions(*region);
+  const std::vector<Colour> painted = colours ? coloursFrom(*colours) : coloursOf(regionsFrom(*region));
   View view;
   view.towards = vectorOf(towards);
   view.up = vectorOf(up);

@@ -3,18 +3,23 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "measure/warnings.h"
 #include "mesh/place_text.h"
 #include "mesh/topology.h"
 #include "parallel/parallel_for.h"
+#include "plan.h"
 #include "repair/fans.h"
 #include "repair/outcome.h"
 #include "repair/workpiece.h"
 #include "thicken/thicken.h"
+#include "thickness.h"
 
 namespace thicken {
 namespace {
@@ -29,15 +34,29 @@ Options optionsOfGap(const Options& options) {
   Options first = options;
   first.gap = 0;
   first.thickness = options.gap;
+  first.thicknessMap.clear();
   first.cell.reset();
   first.resolution.reset();
   if (!first.join) first.join = Join::kRound;
   return first;
 }
 
+// Factors of the thickness at the vertices of the gap surface: those of the closest points of S.
+std::vector<double> mapOn(const TriangleMesh& gapSurface, const TriangleMesh& surface,
+                          const std::vector<double>& factors, const RunContext& context, int threads) {
+  if (factors.empty()) return {};
+  const Thickness ofSurface(surface, factors);
+  const ClosestPointTree tree(surface, threads);
+  std::vector<double> map(gapSurface.positions.size());
+  parallelFor(map.size(), threads, context, 256,
+              [&](std::size_t v) { map[v] = ofSurface.at(*tree.closest(gapSurface.positions[v])); });
+  return map;
+}
+
 // What the gap surface is thickened to. It has no defects.
-Options optionsOfSolid(const Options& options) {
+Options optionsOfSolid(const Options& options, std::vector<double> thicknessMap) {
   Options second = options;
+  second.thicknessMap = std::move(thicknessMap);
   second.gap = 0;
   second.repair = second.strict = false;
   second.weld.reset();
@@ -57,6 +76,26 @@ TriangleMesh surfaceOf(const Solid& solid, Region region, bool turned) {
     surface.triangles.push_back({a, b, c});
   }
   return surface;
+}
+
+// How far each vertex is from S.
+std::vector<double> distances(const std::vector<Vec3>& positions, const ClosestPointTree& tree,
+                              const RunContext& context, int threads) {
+  std::vector<double> distance(positions.size());
+  parallelFor(distance.size(), threads, context, 256,
+              [&](std::size_t v) { distance[v] = tree.distance(positions[v]); });
+  return distance;
+}
+
+// What of a shell is nearer to S than `least`, because there is no room, is not at the gap.
+void dropNear(TriangleMesh& shell, std::span<const double> distance, double least, double& leftOut) {
+  std::erase_if(shell.triangles, [&](const Triangle& t) {
+    const auto [a, b, c] = t;
+    if (std::min({distance[a], distance[b], distance[c]}) >= least) return false;
+    const Vec3& p = shell.positions[a];
+    leftOut += (shell.positions[b] - p).cross(shell.positions[c] - p).norm() / 2;
+    return true;
+  });
 }
 
 // Parts of a shell may touch in points, and shreds lie between walls: a surface has neither. Parts of less
@@ -89,28 +128,28 @@ TriangleMesh withoutShreds(TriangleMesh shell, double gap, double& leftOut) {
 }
 
 // Where the solid comes nearest to S.
-void measureClearance(GapFacts& gap, const TriangleMesh& surface, const TriangleMesh& solid,
+void measureClearance(GapFacts& gap, const ClosestPointTree& tree, const TriangleMesh& solid,
                       const RunContext& context, int threads) {
-  const ClosestPointTree tree(weld(surface), threads);
-  std::vector<double> distance(solid.positions.size());
-  parallelFor(distance.size(), threads, context, 256,
-              [&](std::size_t v) { distance[v] = tree.distance(solid.positions[v]); });
+  const std::vector<double> distance = distances(solid.positions, tree, context, threads);
   const auto least = std::min_element(distance.begin(), distance.end());
   gap.least = *least;
   gap.leastPlace = solid.positions[static_cast<std::size_t>(least - distance.begin())];
 }
 
-void warnOfGap(Report& report) {
+// `place`: where S has the least room.
+void warnOfGap(Report& report, const Vec3& place) {
   const GapFacts& gap = *report.gap;
   constexpr double kMuch = 1e-3;  // of the area
-  if (gap.least >= kTooSmall * gap.asked && gap.shortShare < kMuch) return;
-  report.warnings.insert(
-      report.warnings.begin(),
-      fmt::format(
-          "the gap of {:.4g} mm is not kept everywhere: the solid comes within {:.4g} mm of the surface at "
-          "{}, and {} of the surface has no room for 0.9 of the gap",
-          gap.asked, gap.least, text(gap.leastPlace),
-          gap.shortShare > 0 ? percentText(gap.shortShare) : "nothing"));
+  std::string told;
+  if (gap.shortShare >= kMuch)
+    told = fmt::format(
+        "there is no room for the gap of {:.4g} mm at {} of the surface, such as at {}, and no solid there",
+        gap.asked, percentText(gap.shortShare), text(place));
+  if (gap.least < kTooSmall * gap.asked)
+    told += fmt::format(
+        "{}the solid comes within {:.4g} mm of the surface at {}, nearer than the gap of {:.4g} mm",
+        told.empty() ? "" : "; ", gap.least, text(gap.leastPlace), gap.asked);
+  if (!told.empty()) report.warnings.insert(report.warnings.begin(), told);
 }
 
 // What the report of the solid says of the run as a whole.
@@ -129,6 +168,24 @@ void addFirst(Report& report, const Report& first) {
   report.predictedMemory = std::max(report.predictedMemory, first.predictedMemory);
   report.enoughMemory = std::max(report.enoughMemory, first.enoughMemory);
   report.fallbacks.insert(report.fallbacks.begin(), first.fallbacks.begin(), first.fallbacks.end());
+}
+
+// The solid of the gap surface. Where folds of it leave no room for a wall, they are opened: it is no scan
+// that has to be kept.
+Solid solidBehind(TriangleMesh& gapSurface, Options options, const RunContext& context, double& leftOut) {
+  try {
+    return thicken(gapSurface, options, context);
+  } catch (const Error& error) {
+    const bool isFold = error.code() == ErrorCode::kNoSolid && !error.defects().empty() &&
+                        !error.defects().front().vertices.empty();
+    if (!isFold) throw;
+  }
+  options.repair = true;
+  Solid solid = thicken(gapSurface, options, context);
+  gapSurface = *std::move(solid.repaired);
+  leftOut += solid.report.repair->removedArea;
+  std::erase(solid.report.warnings, repairWarning(solid.report).value_or(""));
+  return solid;
 }
 
 // The ids of what is wrong are those of the gap surface, which nobody has seen.
@@ -154,29 +211,36 @@ void addFirst(Report& report, const Report& first) {
 }  // namespace
 
 Solid thickenAtGap(const TriangleMesh& surface, const Options& options, RunContext context) {
+  requireMapOf(surface, options);
   const auto [begin, end] = context.part();
   const double middle = begin + kGapShare * (end - begin);
   context.setPart(begin, middle);
   Solid first = thicken(surface, optionsOfGap(options), context);
   GapFacts gap;
   gap.asked = options.gap;
-  gap.error = first.report.shellError;
+  gap.error = first.report.shellErrorFullDepth;
   gap.shortShare = first.report.thinShare;
   const bool turned = options.side == Side::kNegative;
-  TriangleMesh gapSurface = withoutShreds(surfaceOf(first, Region::kShell, turned), options.gap, gap.leftOut);
+  const int threads = threadCount(options.threads);
+  const ClosestPointTree tree(weld(surfaceOf(first, Region::kOriginal, false)), threads);
+  TriangleMesh shell = surfaceOf(first, Region::kShell, turned);
+  dropNear(shell, distances(shell.positions, tree, context, threads), kTooSmall * options.gap, gap.leftOut);
+  TriangleMesh gapSurface = withoutShreds(std::move(shell), options.gap, gap.leftOut);
   if (gapSurface.triangles.empty())
     throw Error(ErrorCode::kNoSolid,
                 fmt::format("no part of the surface has room for a gap of {:.4g} mm; ask for a smaller one",
                             options.gap));
-  gap.surface = check(gapSurface, context, options.threads).facts;
   context.setPart(middle, end);
   try {
-    Solid solid = thicken(gapSurface, optionsOfSolid(options), context);
-    measureClearance(gap, surfaceOf(first, Region::kOriginal, false), solid.mesh, context,
-                     threadCount(options.threads));
+    Solid solid = solidBehind(
+        gapSurface,
+        optionsOfSolid(options, mapOn(gapSurface, surface, options.thicknessMap, context, threads)), context,
+        gap.leftOut);
+    gap.surface = check(gapSurface, context, options.threads).facts;
+    measureClearance(gap, tree, solid.mesh, context, threads);
     addFirst(solid.report, first.report);
     solid.report.gap = gap;
-    warnOfGap(solid.report);
+    warnOfGap(solid.report, first.report.thinnestPlace);
     solid.gapSurface = std::move(gapSurface);
     solid.repaired = std::move(first.repaired);
     return solid;

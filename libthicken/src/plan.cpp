@@ -94,6 +94,13 @@ void requireValid(const Options& options) {
                     *options.weld));
 }
 
+void requireMapOf(const TriangleMesh& surface, const Options& options) {
+  const std::size_t values = options.thicknessMap.size();
+  if (values != 0 && values != surface.positions.size())
+    refuse(fmt::format("the thickness map has {} values, and the surface {} vertices", values,
+                       surface.positions.size()));
+}
+
 void requireRoom(const TriangleMesh& surface, const Options& options) {
   constexpr double kFloatMax = std::numeric_limits<float>::max();
   // A mitre may reach farther than r.

@@ -13,6 +13,9 @@ namespace thicken {
 /// Throws kInvalidArgument for options that are out of range or contradict one another.
 void requireValid(const Options& options);
 
+/// Throws kInvalidArgument where a thickness map is not one of the surface as it is given.
+void requireMapOf(const TriangleMesh& surface, const Options& options);
+
 /// Throws kNotFinite when coordinates grown by the thickness exceed what a float holds, and
 /// kNoSolid when a float cannot tell the thickness from 0 at the coordinates' distance from the origin.
 void requireRoom(const TriangleMesh& surface, const Options& options);

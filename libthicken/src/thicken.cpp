@@ -41,16 +41,6 @@ TriangleMesh stored(TriangleMesh surface, Precision precision) {
   return surface;
 }
 
-ThicknessMap mapOf(const TriangleMesh& surface, const Options& options) {
-  const std::vector<double>& factors = options.thicknessMap;
-  if (factors.empty()) return {};
-  if (factors.size() != surface.positions.size())
-    throw Error(ErrorCode::kInvalidArgument,
-                fmt::format("the thickness map has {} values, and the surface {} vertices", factors.size(),
-                            surface.positions.size()));
-  return {surface, factors};
-}
-
 void throwDefects(std::vector<Defect> defects) {
   std::string sentence = defects.front().sentence;
   if (defects.size() > 1) sentence += fmt::format(" (and {} more kinds of defect)", defects.size() - 1);
@@ -184,7 +174,9 @@ Solid thickenKnown(const TriangleMesh& input, const Options& options, RunContext
   Stopwatch watch;
 
   const TriangleMesh places = stored(input, options.precision);
-  const ThicknessMap map = mapOf(places, options);
+  requireMapOf(places, options);
+  const ThicknessMap map =
+      options.thicknessMap.empty() ? ThicknessMap{} : ThicknessMap{places, options.thicknessMap};
   TriangleMesh given = weld(places, threads);
   const SurfaceFacts sizes = sizesOf(given);
   const Forecast predicted = forecast(sizes, options);

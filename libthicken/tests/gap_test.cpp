@@ -103,21 +103,47 @@ TEST(Gap, AroundAClosedSurfaceIsClosed) {
   EXPECT_GT(solid.report.volume, 4.0 / 3 * shapes::kPi * (13 * 13 * 13 - 11 * 11 * 11) * 0.97);
 }
 
-TEST(Gap, TellsWhereThereIsNoRoomForIt) {
-  // Sheets 1 mm apart have no room for a gap of 0.8.
-  const Solid solid = thicken(shapes::roll(60, 3, 1, 2), options(0.8, 0.3));
+TEST(Gap, LeavesOutWhereThereIsNoRoomForItAndSaysSo) {
+  // Between sheets 1 mm apart there is no room for a gap of 0.8, but outside of the last turn.
+  const TriangleMesh roll = shapes::roll(60, 3, 1, 2);
+  for (const Side side : {Side::kNegative, Side::kPositive}) {
+    const Solid solid = thicken(roll, options(0.8, 0.3, side));
+    expectKept(solid, side);
+    const GapFacts& gap = *solid.report.gap;
+    EXPECT_GT(gap.shortShare, 0.1);
+    EXPECT_GT(gap.leftOut, 0);
+    EXPECT_LT(gap.surface.area, 0.9 * solid.report.input.area);
+    ASSERT_FALSE(solid.report.warnings.empty());
+    EXPECT_NE(solid.report.warnings.front().find("no room for the gap of 0.8 mm"), std::string::npos);
+    double least = 1;
+    const ClosestPointTree tree(weld(roll));
+    for (const Vec3& p : solid.gapSurface->positions) EXPECT_GE(tree.closest(p)->distance, 0.72);
+    for (const Vec3& p : solid.mesh.positions) least = std::min(least, tree.closest(p)->distance);
+    EXPECT_NEAR(gap.least, least, 1e-9);
+    EXPECT_NEAR(tree.closest(gap.leastPlace)->distance, least, 1e-9);
+  }
+}
+
+TEST(Gap, HasTheThicknessOfTheClosestPointsBehindIt) {
+  const TriangleMesh plane = shapes::plane(6, 12);
+  Options o = options(1.5, 2);
+  double mean = 0;
+  for (const Vec3& p : plane.positions) {
+    o.thicknessMap.push_back(1.5 + 0.05 * p.x());
+    mean += o.thicknessMap.back() / double(plane.positions.size());
+  }
+  const Solid solid = thicken(plane, o);
   expectKept(solid, Side::kNegative);
-  const GapFacts& gap = *solid.report.gap;
-  EXPECT_GT(gap.shortShare, 0.1);
-  EXPECT_LT(gap.least, 0.72);
-  ASSERT_FALSE(solid.report.warnings.empty());
-  EXPECT_NE(solid.report.warnings.front().find("the gap of 0.8 mm is not kept everywhere"),
-            std::string::npos);
-  double least = 1;
-  const ClosestPointTree tree(weld(shapes::roll(60, 3, 1, 2)));
-  for (const Vec3& p : solid.mesh.positions) least = std::min(least, tree.closest(p)->distance);
-  EXPECT_NEAR(gap.least, least, 1e-9);
-  EXPECT_NEAR(tree.closest(gap.leastPlace)->distance, least, 1e-9);
+  EXPECT_NEAR(solid.report.volume, 144 * 2 * mean, 1e-3);
+  double deepest = 0, highest = -1;
+  for (const Vec3& p : solid.mesh.positions) {
+    deepest = std::min(deepest, p.z() + 1.5 + 2 * (1.5 + 0.05 * p.x()));
+    highest = std::max(highest, p.z());
+  }
+  EXPECT_NEAR(deepest, 0, 1e-5);
+  EXPECT_EQ(highest, -1.5);
+  o.thicknessMap.pop_back();
+  EXPECT_THROW((void)thicken(plane, o), Error);
 }
 
 TEST(Gap, IsTheSameForAnyNumberOfThreads) {

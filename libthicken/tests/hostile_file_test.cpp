@@ -37,9 +37,9 @@ TEST(HostileFile, NamesTheReasonWhenThereIsNoFile) {
   EXPECT_CONTAINS(refusalOf(folder / "missing.stl"), "there is no such file");
   EXPECT_CONTAINS(refusalOf(folder / "folder.stl"), "is a folder");
   EXPECT_CONTAINS(refusalOf(folder / "pipe.ply"), "not a regular file");
-  EXPECT_CONTAINS(refusalOf(folder.put("a.vtp", "<VTKFile/>")), ".stl, .ply, .obj and .off");
+  EXPECT_CONTAINS(refusalOf(folder.put("a.vtp", "<VTKFile/>")), ".stl, .ply, .obj, .off and .3mf");
   EXPECT_CONTAINS(refusalOf(folder.put("a", "solid")), "no extension");
-  for (const char* name : {"e.stl", "e.ply", "e.obj", "e.off"})
+  for (const char* name : {"e.stl", "e.ply", "e.obj", "e.off", "e.3mf"})
     EXPECT_CONTAINS(refusalOf(folder.put(name, "")), "is empty");
 }
 
@@ -48,7 +48,7 @@ TEST(HostileFile, RefusesOneFormatUnderTheNameOfAnother) {
   for (const char* from : {"stl", "ply", "obj", "off", "3mf"}) {
     writeMesh(folder / (std::string("a.") + from), twoTriangles());
     const std::string bytes = bytesOf(folder / (std::string("a.") + from));
-    for (const std::string to : {"stl", "ply", "obj", "off"}) {
+    for (const std::string to : {"stl", "ply", "obj", "off", "3mf"}) {
       if (to != from) refusalOf(folder.put("wrong." + to, bytes));
     }
   }

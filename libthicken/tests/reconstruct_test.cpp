@@ -199,7 +199,8 @@ TEST(ReconstructSlow, GivesTheSameBytesBelowATightLimit) {
   const double r = 0.9, cell = 0.045;
   const Solid whole = thicken(sheet, by(r, cell, 2));
   ASSERT_GT(whole.mesh.triangles.size(), 100'000u);
-  const std::size_t least = heldBytes(sheet) + leanBytes(mostShellCrossings(sheet, r, cell, 2));
+  const std::size_t least =
+      heldBytes(sheet) + leanBytes(mostShellCrossings(shellShadows(OwnJob(sheet, r).job), cell));
   for (const int threads : {1, 2}) {
     RunContext context;
     context.setMemoryLimit(least);
@@ -232,28 +233,25 @@ TEST(MostShellCrossings, AreALittleMoreThanTheContourMakes) {
   const TriangleMesh sheet = shapes::sheet(12, 9);
   const Solid solid = thicken(sheet, by(0.9, 0.1));
   const double made = double(solid.report.shellTriangles) / 2;
-  const auto expected = double(mostShellCrossings(sheet, 0.9, 0.1, 2));
+  const auto expected = double(mostShellCrossings(shellShadows(OwnJob(sheet, 0.9).job), 0.1));
   EXPECT_GT(expected, made);
   EXPECT_LT(expected, 1.25 * made);
 }
 
 TEST(WidthWithRoom, IsWiderWhereTheLimitAsksForIt) {
-  const TriangleMesh surface = valleys();
-  Options o;
-  o.thickness = 0.25;
-  const double width = 0.05;
-  const std::size_t crossings = mostShellCrossings(surface, o.thickness, width, 1);
-  const std::size_t fits = heldBytes(surface) + leanBytes(crossings);
-  RunContext context;
-  EXPECT_EQ(widthWithRoom(surface, crossings, width, o, context), width);
-  context.setMemoryLimit(fits);
-  EXPECT_EQ(widthWithRoom(surface, crossings, width, o, context), width);
-  context.setMemoryLimit(fits - leanBytes(crossings) / 20);
-  const double wider = widthWithRoom(surface, crossings, width, o, context);
+  OwnJob own(valleys(), 0.25);
+  const double width = 0.05, shadows = shellShadows(own.job);
+  const std::size_t crossings = mostShellCrossings(shadows, width);
+  const std::size_t fits = heldBytes(own.surface) + leanBytes(crossings);
+  EXPECT_EQ(widthWithRoom(own.job, crossings, width), width);
+  own.context.setMemoryLimit(fits);
+  EXPECT_EQ(widthWithRoom(own.job, crossings, width), width);
+  own.context.setMemoryLimit(fits - leanBytes(crossings) / 20);
+  const double wider = widthWithRoom(own.job, crossings, width);
   EXPECT_GT(wider, width);
-  EXPECT_TRUE(hasRoomForField(surface, mostShellCrossings(surface, o.thickness, wider, 1), context));
-  o.cell = width;
-  EXPECT_EQ(widthWithRoom(surface, crossings, width, o, context), width) << "asked for by name";
+  EXPECT_TRUE(hasRoomForField(own.job, mostShellCrossings(shadows, wider)));
+  own.options.cell = width;
+  EXPECT_EQ(widthWithRoom(own.job, crossings, width), width) << "asked for by name";
 }
 
 // Pleats of a height of 3: sheets come together at an angle that no cell can tell apart near the fold.

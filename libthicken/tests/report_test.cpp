@@ -141,6 +141,29 @@ TEST(Report, HoldsTheFactsUnderTheirNames) {
   EXPECT_EQ(report["memory"]["enough_bytes"], 1500);
 }
 
+TEST(Report, HoldsTheGapThatWasAskedFor) {
+  EXPECT_TRUE(json::parse(toJson(sampleReport()))["gap"].is_null());
+  GapFacts gap;
+  gap.asked = 2;
+  gap.least = 1.5;
+  gap.leastPlace = {1, 2, 3};
+  gap.shortShare = 0.25;
+  gap.error = {0.01, 0.02, 0.03};
+  gap.leftOut = 0.5;
+  gap.surface.triangles = 40;
+  Report report = sampleReport();
+  report.gap = gap;
+  const json told = json::parse(toJson(report));
+  EXPECT_EQ(told["input"]["triangles"], 12);
+  EXPECT_EQ(told["gap"]["mm"], 2);
+  EXPECT_EQ(told["gap"]["least_mm"], 1.5);
+  EXPECT_EQ(told["gap"]["least_place_mm"], json({1, 2, 3}));
+  EXPECT_EQ(told["gap"]["short_share"], 0.25);
+  EXPECT_EQ(told["gap"]["error"]["p99"], 0.02);
+  EXPECT_EQ(told["gap"]["left_out_mm2"], 0.5);
+  EXPECT_EQ(told["gap"]["surface"]["triangles"], 40);
+}
+
 TEST(Report, HoldsWhatARunOverFilesKnowsAndNullWithout) {
   const json report = json::parse(toJson(sampleReport(), {"0a", "1b"}));
   EXPECT_EQ(report["key"], "0a");
@@ -238,6 +261,9 @@ TEST(Report, EveryKeyIsDocumentedAndEveryDocumentedKeyIsThere) {
   std::set<std::string> keys;
   collectKeys(json::parse(toJson(sampleReport())), "", keys);
   collectKeys(json::parse(toJson(Error(ErrorCode::kNotManifold, "", {sampleDefect()}))), "", keys);
+  Report atGap = sampleReport();
+  atGap.gap.emplace();
+  collectKeys(json::parse(toJson(atGap)), "", keys);
   TrimFacts trimmed;
   trimmed.loops.emplace_back();
   collectKeys(json::parse(toJson(trimmed)), "", keys);

@@ -51,7 +51,7 @@ TriangleMesh stripOfFloats() {
 
 TEST(WriteMesh, IsReadBackBitForBitInEveryFormat) {
   const ScratchFolder folder;
-  for (const char* name : {"a.ply", "a.obj", "a.off"}) {
+  for (const char* name : {"a.ply", "a.obj", "a.off", "a.3mf"}) {
     SCOPED_TRACE(name);
     writeMesh(folder / name, stripOfDoubles());
     expectSame(readMesh(folder / name), stripOfDoubles());
@@ -150,10 +150,13 @@ TEST(WriteMesh, Writes3mfThatHoldsTheMesh) {
   int error = 0;
   zip_t* archive = zip_open((folder / "a.3mf").c_str(), ZIP_RDONLY | ZIP_CHECKCONS, &error);
   ASSERT_NE(archive, nullptr) << error;
-  EXPECT_EQ(zip_get_num_entries(archive, 0), 3);
+  EXPECT_EQ(zip_get_num_entries(archive, 0), 4);
   EXPECT_CONTAINS(unpacked(archive, "[Content_Types].xml"),
                   "application/vnd.ms-package.3dmanufacturing-3dmodel+xml");
   EXPECT_CONTAINS(unpacked(archive, "_rels/.rels"), "Target=\"/3D/3dmodel.model\"");
+  EXPECT_CONTAINS(unpacked(archive, "_rels/.rels"), "Target=\"/Metadata/thumbnail.png\"");
+  EXPECT_CONTAINS(unpacked(archive, "[Content_Types].xml"), "image/png");
+  EXPECT_TRUE(unpacked(archive, "Metadata/thumbnail.png").starts_with("\x89PNG"));
   const std::string model = unpacked(archive, "3D/3dmodel.model");
   EXPECT_CONTAINS(model, "unit=\"millimeter\"");
   EXPECT_CONTAINS(model,
@@ -179,6 +182,31 @@ TEST(WriteMeshes, MakesAnObjectOfEachIn3mf) {
   ASSERT_NE(second, std::string::npos);
   EXPECT_GT(model.find("x=\"7\""), second);
   EXPECT_CONTAINS(model, "<item objectid=\"1\"/><item objectid=\"2\"/>");
+}
+
+TEST(WriteMeshes, RegionsBecomeColoursIn3mf) {
+  const ScratchFolder folder;
+  const std::vector<TriangleMesh> meshes{twoTriangles(), {{{7, 0, 0}, {8, 0, 0}, {7, 1, 0}}, {{0, 1, 2}}}};
+  const std::vector<std::vector<Region>> regions{{Region::kShell, Region::kWall}, {Region::kOriginal}};
+  writeMeshes(folder / "a.3mf", meshes, regions);
+  int error = 0;
+  zip_t* archive = zip_open((folder / "a.3mf").c_str(), ZIP_RDONLY | ZIP_CHECKCONS, &error);
+  ASSERT_NE(archive, nullptr) << error;
+  const std::string model = unpacked(archive, "3D/3dmodel.model");
+  zip_discard(archive);
+  EXPECT_CONTAINS(model,
+                  "<basematerials id=\"3\"><base name=\"surface\" displaycolor=\"#ECC95C\"/>"
+                  "<base name=\"shell\" displaycolor=\"#6E96CD\"/><base name=\"wall\" "
+                  "displaycolor=\"#C85246\"/></basematerials>");
+  EXPECT_CONTAINS(model,
+                  "<triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"3\" p1=\"1\"/>\n<triangle v1=\"0\" "
+                  "v2=\"2\" v3=\"3\" pid=\"3\" p1=\"2\"/>");
+  EXPECT_CONTAINS(model, "<triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"3\" p1=\"0\"/>");
+  EXPECT_TRUE(holdsColours("a.3mf"));
+  EXPECT_FALSE(holdsColours("a.stl"));
+  EXPECT_THROW(writeMeshes(folder / "a.ply", meshes, regions), Error);
+  EXPECT_THROW(writeMeshes(folder / "b.3mf", meshes, std::span(regions).first(1)), Error);
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.3mf"}));
 }
 
 TEST(WriteMeshes, NumbersFilesOfOtherFormatsAndWritesAllOrNone) {
@@ -292,9 +320,9 @@ TEST(RequireWritable, KnowsTheFormatsByTheirExtension) {
     EXPECT_NO_THROW(requireWritable(name)) << name;
   for (const char* name : {"a.vtp", "a", ".stl", "a.stl.gz", ""})
     EXPECT_THROW(requireWritable(name), Error) << name;
-  for (const char* name : {"a.stl", "a.PLY", "a.obj", "a.Off"})
+  for (const char* name : {"a.stl", "a.PLY", "a.obj", "a.Off", "a.3mf"})
     EXPECT_NO_THROW(requireReadable(name)) << name;
-  for (const char* name : {"a.3mf", "a.vtp", "a", ""}) EXPECT_THROW(requireReadable(name), Error) << name;
+  for (const char* name : {"a.vtp", "a", ""}) EXPECT_THROW(requireReadable(name), Error) << name;
 }
 
 }  // namespace

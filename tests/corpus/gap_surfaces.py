@@ -28,7 +28,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 from thicken import native, read_mesh
 
 GAP, THICKNESS = 0.01, 0.02  # of the diagonal
-SECONDS = 300
+SECONDS = 1800
 NEAR, ENOUGH = 0.01, 0.99
 
 

@@ -191,13 +191,6 @@ class Printability(DocumentCase):
         frame = (np.abs(cut - (70, 74, 82)).max(axis=2) < 12).sum()
         self.assertAlmostEqual(frame / (frame + red), 1 - 0.8**2, delta=0.04)
 
-    def test_page_without_pillow(self):
-        with mock.patch.dict("sys.modules", {"PIL": None}):
-            ThickenWorkbench.write_report(hollow_box(self), self.folder / "box.html")
-        text = (self.folder / "box.html").read_text()
-        self.assertIn("They need Pillow", text)
-        self.assertIn("4.096 mL", text)
-
     def test_json_alone(self):
         ThickenWorkbench.write_report(self.add_source(plate()), self.folder / "plate.json")
         self.assertEqual([path.name for path in self.folder.iterdir()], ["plate.json"])

@@ -19,7 +19,7 @@ class Unreadable(ProgramCase):
         (self.folder / "nothing.ply").write_bytes(b"")
         (self.folder / "folder.stl").mkdir()
         before = self.names()
-        for name in ("missing.stl", "garbage.stl", "short.off", "notes.txt", "nothing.ply", "folder.stl", "in.3mf"):
+        for name in ("missing.stl", "garbage.stl", "short.off", "notes.txt", "nothing.ply", "folder.stl", "in.3mf", "in.vtp"):
             with self.subTest(name):
                 sentence = self.assert_fails(self.run_program(name, "out.stl", "--thickness", 1), 6, "unreadable")
                 self.assertIn(name, sentence)

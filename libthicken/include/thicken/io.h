@@ -2,7 +2,7 @@
 //
 // Reading and writing mesh files. The format follows from the extension of the path, whatever its
 // case: .stl (binary and ASCII in, binary out), .ply (ASCII and binary, both byte orders, in;
-// binary double out), .obj, .off, and .3mf (out only).
+// binary double out), .obj, .off and .3mf.
 #pragma once
 
 #include <filesystem>
@@ -12,6 +12,7 @@
 
 #include "thicken/mesh.h"
 #include "thicken/options.h"
+#include "thicken/result.h"
 
 namespace thicken {
 
@@ -46,8 +47,13 @@ void writeMesh(const std::filesystem::path& path, const TriangleMesh& mesh);
                                                                std::size_t count);
 
 /// Writes several meshes, each an object or a file of its own. None of the files appears before all are
-/// complete. Throws Error(kUnwritable).
-void writeMeshes(const std::filesystem::path& path, std::span<const TriangleMesh> meshes);
+/// complete. `regions`: of solids, for each mesh those of its triangles, which become colours; only for
+/// formats with colours, holdsColours(). Throws Error(kUnwritable).
+void writeMeshes(const std::filesystem::path& path, std::span<const TriangleMesh> meshes,
+                 std::span<const std::vector<Region>> regions = {});
+
+/// Whether the format of `path` stores colours of triangles: .3mf.
+[[nodiscard]] bool holdsColours(const std::filesystem::path& path);
 
 /// Removes the temporary files of all calls of writeMesh() under way, which may then fail. For a
 /// signal handler that is about to end the process; safe there. Nothing else needs it: writeMesh()
@@ -57,6 +63,9 @@ void abandonWrites() noexcept;
 /// Throws Error(kUnreadable / kUnwritable) for a path whose extension is not known.
 void requireReadable(const std::filesystem::path& path);
 void requireWritable(const std::filesystem::path& path);
+
+/// Whether files of the format of `path` tell the unit of their numbers, so that they are read as mm: .3mf.
+[[nodiscard]] bool namesItsUnit(const std::filesystem::path& path);
 
 /// The precision that the format of `path` stores: kSingle for .stl, else kDouble.
 [[nodiscard]] Precision storedPrecision(const std::filesystem::path& path);

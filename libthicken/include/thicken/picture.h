@@ -55,6 +55,11 @@ struct View {
 [[nodiscard]] Picture renderPicture(const TriangleMesh& mesh, std::span<const Colour> colours,
                                     const View& view = {});
 
+/// Draws several solids together, in the colours of their regions; `regions` has those of each, or is empty:
+/// all of one colour.
+[[nodiscard]] Picture renderSolids(std::span<const TriangleMesh> solids,
+                                   std::span<const std::vector<Region>> regions, const View& view = {});
+
 /// Pictures of the same height as one, side by side.
 [[nodiscard]] Picture besideEachOther(std::span<const Picture> pictures);
 

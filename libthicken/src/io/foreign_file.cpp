@@ -16,7 +16,8 @@ struct Kind {
 
 constexpr auto kUtf16 = "is text in UTF-16; save it as UTF-8 or ASCII";
 constexpr auto kArchive = "is a packed archive; unpack it, and read the mesh in it";
-constexpr auto kZip = "is a zip archive, as packed files and .3mf are; unpack it, or export the mesh as .stl";
+constexpr auto kZip =
+    "is a zip archive, as packed files and .3mf are; unpack it, or name it .3mf if it is one";
 constexpr auto kPage = "is a web page and no mesh; download the file itself";
 
 constexpr std::array kKinds{

@@ -13,7 +13,7 @@ constexpr std::array kFormats{
     Format{".ply", readPly, writePly, Precision::kDouble},
     Format{".obj", readObj, writeObj, Precision::kDouble},
     Format{".off", readOff, writeOff, Precision::kDouble},
-    Format{".3mf", nullptr, write3mf, Precision::kDouble, writeObjects3mf},
+    Format{".3mf", read3mf, write3mf, Precision::kDouble, writeObjects3mf},
 };
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "io/target_file.h"
 #include "thicken/mesh.h"
 #include "thicken/options.h"
+#include "thicken/result.h"
 
 namespace thicken::io {
 
@@ -25,6 +26,7 @@ TriangleMesh readPly(const SourceFile& file);
 std::vector<double> readPlyProperty(const SourceFile& file, const std::string& name);
 TriangleMesh readObj(const SourceFile& file);
 TriangleMesh readOff(const SourceFile& file);
+TriangleMesh read3mf(const SourceFile& file);
 
 /// Writers get finite positions and indices within their range. They throw Error(kUnwritable).
 using Writer = void (*)(TargetFile& file, const TriangleMesh& mesh);
@@ -33,16 +35,19 @@ void writePly(TargetFile& file, const TriangleMesh& mesh);
 void writeObj(TargetFile& file, const TriangleMesh& mesh);
 void writeOff(TargetFile& file, const TriangleMesh& mesh);
 void write3mf(TargetFile& file, const TriangleMesh& mesh);
-/// The same for several meshes, each an object of its own.
-using SeveralWriter = void (*)(TargetFile& file, std::span<const TriangleMesh> meshes);
-void writeObjects3mf(TargetFile& file, std::span<const TriangleMesh> meshes);
+/// The same for several meshes, each an object of its own. `regions`: those of the triangles of each, as
+/// colours; empty: none.
+using SeveralWriter = void (*)(TargetFile& file, std::span<const TriangleMesh> meshes,
+                               std::span<const std::vector<Region>> regions);
+void writeObjects3mf(TargetFile& file, std::span<const TriangleMesh> meshes,
+                     std::span<const std::vector<Region>> regions);
 
 struct Format {
   std::string_view extension;            ///< with its dot, in lower case
   Reader read;                           ///< nullptr: cannot be read
   Writer write;                          ///< nullptr: cannot be written
   Precision precision;                   ///< of the coordinates as they are written
-  SeveralWriter writeSeveral = nullptr;  ///< nullptr: the format holds one mesh
+  SeveralWriter writeSeveral = nullptr;  ///< nullptr: the format holds one mesh, and no colours
 };
 
 [[nodiscard]] std::span<const Format> formats();

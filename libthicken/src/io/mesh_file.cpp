@@ -63,6 +63,18 @@ void requireStorable(const TriangleMesh& mesh, const std::filesystem::path& path
   }
 }
 
+void requireColours(const std::filesystem::path& path, std::span<const TriangleMesh> meshes,
+                    std::span<const std::vector<Region>> regions) {
+  if (regions.empty()) return;
+  if (!holdsColours(path))
+    throw Error(ErrorCode::kUnwritable, io::quoted(path) + ": only .3mf files hold the regions as colours.");
+  bool fits = regions.size() == meshes.size();
+  for (std::size_t i = 0; fits && i < meshes.size(); ++i)
+    fits = regions[i].size() == meshes[i].triangles.size();
+  if (!fits)
+    throw Error(ErrorCode::kUnwritable, io::quoted(path) + ": there is not a region for each triangle.");
+}
+
 }  // namespace
 
 void requireReadable(const std::filesystem::path& path) {
@@ -71,6 +83,11 @@ void requireReadable(const std::filesystem::path& path) {
 
 void requireWritable(const std::filesystem::path& path) {
   writable(path);
+}
+
+bool namesItsUnit(const std::filesystem::path& path) {
+  const io::Format* format = io::formatOf(path);
+  return format != nullptr && format->read == io::read3mf;
 }
 
 Precision storedPrecision(const std::filesystem::path& path) {
@@ -120,14 +137,21 @@ std::vector<std::filesystem::path> pathsOfMeshes(const std::filesystem::path& pa
   return paths;
 }
 
-void writeMeshes(const std::filesystem::path& path, std::span<const TriangleMesh> meshes) {
+bool holdsColours(const std::filesystem::path& path) {
+  const io::Format* format = io::formatOf(path);
+  return format != nullptr && format->writeSeveral != nullptr;
+}
+
+void writeMeshes(const std::filesystem::path& path, std::span<const TriangleMesh> meshes,
+                 std::span<const std::vector<Region>> regions) {
   const io::Format& format = writable(path);
+  requireColours(path, meshes, regions);
   for (const TriangleMesh& mesh : meshes) requireStorable(mesh, path);
   std::vector<std::unique_ptr<io::TargetFile>> files;
   for (const std::filesystem::path& name : pathsOfMeshes(path, meshes.size()))
     files.push_back(std::make_unique<io::TargetFile>(name));
   if (format.writeSeveral)
-    format.writeSeveral(*files.front(), meshes);
+    format.writeSeveral(*files.front(), meshes, regions);
   else
     for (std::size_t i = 0; i < files.size(); ++i) format.write(*files[i], meshes[i]);
   for (const auto& file : files) file->commit();

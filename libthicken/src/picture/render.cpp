@@ -105,11 +105,11 @@ Plane limitOf(const View& view, const Projection& projection) {
 
 Colour shaded(const Colour& colour, const Vec3& normal) {
   static const Vec3 kLight = Vec3(-0.4, 0.5, 0.77).normalized();
+  if (!(normal.z() > 0)) return kBackColour;  // flat, as the plane of a cut is
   const double brightness = 0.4 + 0.6 * std::abs(normal.dot(kLight));
   Colour result;
   for (std::size_t k = 0; k < 3; ++k)
-    result[k] =
-        static_cast<std::uint8_t>(std::lround((normal.z() > 0 ? colour : kBackColour)[k] * brightness));
+    result[k] = static_cast<std::uint8_t>(std::lround(colour[k] * brightness));
   return result;
 }
 
@@ -203,6 +203,23 @@ Picture renderPicture(const TriangleMesh& mesh, std::span<const Colour> colours,
     fill(canvas, corner, shaded(colours[colours.size() == 1 ? 0 : t], normal), limit);
   }
   return averaged(canvas);
+}
+
+Picture renderSolids(std::span<const TriangleMesh> solids, std::span<const std::vector<Region>> regions,
+                     const View& view) {
+  constexpr Colour kSteel{120, 160, 205};
+  TriangleMesh all;
+  std::vector<Colour> colours;
+  for (std::size_t i = 0; i < solids.size(); ++i) {
+    const auto first = static_cast<VertexId>(all.positions.size());
+    all.positions.insert(all.positions.end(), solids[i].positions.begin(), solids[i].positions.end());
+    for (const auto& [a, b, c] : solids[i].triangles)
+      all.triangles.push_back({first + a, first + b, first + c});
+    if (regions.empty()) continue;
+    const std::vector<Colour> own = coloursOf(regions[i]);
+    colours.insert(colours.end(), own.begin(), own.end());
+  }
+  return renderPicture(all, regions.empty() ? std::vector{kSteel} : colours, view);
 }
 
 Picture besideEachOther(std::span<const Picture> pictures) {

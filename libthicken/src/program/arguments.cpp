@@ -13,6 +13,7 @@
 #include "plan.h"
 #include "platform/memory.h"
 #include "thicken/error.h"
+#include "thicken/io.h"
 #include "thicken/version.h"
 
 namespace thicken::program {
@@ -139,7 +140,9 @@ void describeSolid(CLI::App& app, Arguments& arguments) {
       "Turns an open surface into a printable solid that keeps every triangle of the surface.\n"
       "Lengths are millimetres. `thicken check INPUT` examines a surface only, `thicken trim` cuts a part "
       "out.");
-  app.add_option("INPUT", arguments.input, "Surface: .stl, .ply, .obj or .off")->required()->type_name("");
+  app.add_option("INPUT", arguments.input, "Surface: .stl, .ply, .obj, .off or .3mf")
+      ->required()
+      ->type_name("");
   app.add_option("OUTPUT", arguments.output, "Solid: .stl, .ply, .obj, .off or .3mf")
       ->required()
       ->type_name("");
@@ -200,6 +203,8 @@ void describeThicken(CLI::App& app, Arguments& arguments) {
       "--sheets", arguments.sheets,
       "A solid for each sheet of a surface with three and more triangles at edges: objects of a .3mf, "
       "or numbered files");
+  app.add_flag("--colours", arguments.colours,
+               "Into a .3mf: surface, shell and wall in colours of their own");
   app.add_option("--picture", arguments.picture, "Draw the solid into this file, a .png")->type_name("FILE");
   app.add_option_function<std::string>(
          "--picture-size", [&arguments](const std::string& text) { setPictureSize(arguments, text); },
@@ -211,7 +216,9 @@ void describeThicken(CLI::App& app, Arguments& arguments) {
 
 void describeCheck(CLI::App& app, Arguments& arguments) {
   app.description("Says whether a surface can be thickened, or everything that is wrong with it.");
-  app.add_option("INPUT", arguments.input, "Surface: .stl, .ply, .obj or .off")->required()->type_name("");
+  app.add_option("INPUT", arguments.input, "Surface: .stl, .ply, .obj, .off or .3mf")
+      ->required()
+      ->type_name("");
 }
 
 // "X,Y,Z"
@@ -232,7 +239,9 @@ Vec3 toPoint(const std::string& text) {
 void describeTrim(CLI::App& app, Arguments& arguments) {
   app.description(
       "Cuts a part out of a surface along loops that run on it, and keeps all other triangles of it.");
-  app.add_option("INPUT", arguments.input, "Surface: .stl, .ply, .obj or .off")->required()->type_name("");
+  app.add_option("INPUT", arguments.input, "Surface: .stl, .ply, .obj, .off or .3mf")
+      ->required()
+      ->type_name("");
   app.add_option("OUTPUT", arguments.output, "Part: .stl, .ply, .obj, .off or .3mf")
       ->required()
       ->type_name("");
@@ -349,6 +358,11 @@ Request readArguments(int argc, const char* const* argv) {
   if (!arguments.gapSurface.empty() && (!(arguments.options.gap > 0) || arguments.sheets))
     throw Error(ErrorCode::kInvalidArgument,
                 "--gap-surface writes what --gap makes of one surface; give --gap, and leave out --sheets");
+  if (arguments.unit != 1 && namesItsUnit(arguments.input))
+    throw Error(ErrorCode::kInvalidArgument,
+                "a 3MF file names its unit itself, and is read in it; leave out --unit");
+  if (arguments.colours && !holdsColours(arguments.output))
+    throw Error(ErrorCode::kInvalidArgument, "--colours is for an OUTPUT of type .3mf, which holds colours");
   arguments.limitGiven = memory > 0;
   arguments.memoryLimit = memory > 0 ? static_cast<std::size_t>(memory * kMebibyte) : machineMemory();
   arguments.given = optionsOfOutput(app);

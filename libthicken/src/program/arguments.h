@@ -34,6 +34,7 @@ struct Arguments {
   int pictureWidth = 1280, pictureHeight = 480;
   double unit = 1;  ///< mm, of the numbers of the input and of loops
   bool quiet = false;
+  bool colours = false;                      ///< kThicken only: the regions as colours, in a .3mf
   bool sheets = false;                       ///< kThicken only: a solid for each sheet of the surface
   std::vector<std::filesystem::path> loops;  ///< kTrim only
   TrimOptions trim;                          ///< kTrim only; precision follows from the output

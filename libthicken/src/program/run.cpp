@@ -108,6 +108,12 @@ struct Made {
   std::vector<Report> reports;
 };
 
+// The regions that are to be written as colours; none unless asked for.
+std::span<const std::vector<Region>> coloursOf(const Arguments& arguments,
+                                               std::span<const std::vector<Region>> regions) {
+  return arguments.colours ? regions : std::span<const std::vector<Region>>();
+}
+
 // Proves all before it writes any.
 Made makeSheets(const Arguments& arguments, const TriangleMesh& surface, const Options& options,
                 RunContext& context) {
@@ -141,7 +147,7 @@ Made makeSheets(const Arguments& arguments, const TriangleMesh& surface, const O
   context.throwIfCancelled();
   context.setPart(kWriteShare, 1);
   context.enter(Stage::kWriting, 0, 1, 0);
-  writeMeshes(arguments.output, made.meshes);
+  writeMeshes(arguments.output, made.meshes, coloursOf(arguments, made.regions));
   return made;
 }
 
@@ -168,7 +174,7 @@ Made makeSolid(const Arguments& arguments, RunContext& context, std::vector<std:
   Stopwatch writing;
   if (!arguments.repaired.empty()) writeMesh(arguments.repaired, *solid.repaired);
   if (!arguments.gapSurface.empty()) writeMesh(arguments.gapSurface, *solid.gapSurface);
-  writeMesh(arguments.output, solid.mesh);
+  writeMeshes(arguments.output, std::span(&solid.mesh, 1), coloursOf(arguments, std::span(&solid.region, 1)));
   writing.lap("write");
   auto& seconds = solid.report.seconds;
   seconds.insert(seconds.begin(), reading.laps().front());
