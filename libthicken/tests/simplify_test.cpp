@@ -190,8 +190,7 @@ TEST(Simplify, CanBeCancelled) {
   const TriangleMesh s = plane(8, 10);
   TriangleMesh solid = slab(s, 1);
   std::vector<Region> region(solid.triangles.size(), Region::kShell);
-  const ClosestPointTree tree(s);
-  SimplifyRequest request{s, tree, 1, Side::kNegative, Join::kMitre, {}, Simplify::kShell};
+  OwnJob own(s, 1);
   own.context.cancel();
   EXPECT_THROW((void)simplify(own.job, solid, region, Simplify::kShell), Error);
 }
