@@ -110,7 +110,7 @@ TEST(NodeField, HasTheLabelsOfDefinition2) {
   EXPECT_GT(inside, 1000u);
 }
 
-// S with a skirt of triangles along its rim: the closest point of the whole, as one tree of the whole has it.
+// S with a wall of triangles along its rim: the closest point of the whole, as one tree of the whole has it.
 TEST(Membership, AnswersAsOneTreeOfTheCarrier) {
   const TriangleMesh sheet = shapes::sheet(10, 8);
   const double r = 1.1;
@@ -124,7 +124,7 @@ TEST(Membership, AnswersAsOneTreeOfTheCarrier) {
   const ClosestPointTree tree(sheet), whole(carrier);
   const Membership membership(carrier, tree, sheet.triangles.size(), r);
   const UniformGrid grid = gridAround(sheet, r + 0.5, 0.3);
-  std::size_t onSkirt = 0;
+  std::size_t onWall = 0;
   for (const GridIndex& n : allNodes(grid)) {
     const Vec3 p = grid.node(n);
     const ClosestPoint c = *whole.closest(p);
@@ -135,9 +135,9 @@ TEST(Membership, AnswersAsOneTreeOfTheCarrier) {
     const bool behind = (p - c.point).dot(c.pseudonormal) < 0;
     EXPECT_EQ(probe.standing == Standing::kFront || probe.standing == Standing::kRim, !behind)
         << p.transpose();
-    onSkirt += c.triangle >= sheet.triangles.size();
+    onWall += c.triangle >= sheet.triangles.size();
   }
-  EXPECT_GT(onSkirt, 100u);
+  EXPECT_GT(onWall, 100u);
 }
 
 // A piece of the upper sheet's shell, between sheets that face each other: what begins before it is the lower

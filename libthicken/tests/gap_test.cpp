@@ -3,6 +3,7 @@
 // Solids that begin at a gap from their surface.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>

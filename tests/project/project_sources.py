@@ -52,6 +52,20 @@ def joined(graph: Graph, node_of: Callable[[str], str]) -> Graph:
     return whole
 
 
+def folder_graph() -> Graph:
+    """Which folder of the library's sources includes which; "." is what lies beside the folders."""
+    return joined(include_graph(), lambda name: name.rpartition("/")[0] or ".")
+
+
+def reduced(graph: Graph) -> Graph:
+    """A graph without circles, and without what follows from the rest of it."""
+
+    def reaches(start: str, goal: str) -> bool:
+        return any(node == goal or reaches(node, goal) for node in graph[start])
+
+    return {a: {b for b in following if not any(reaches(c, b) for c in following if c != b)} for a, following in graph.items()}
+
+
 def module_of(file: Path) -> str:
     """The name by which Python imports a file of this project."""
     parts = file.relative_to(PROJECT).with_suffix("").parts

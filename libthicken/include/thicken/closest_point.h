@@ -27,7 +27,9 @@ struct ClosestPoint {
 };
 
 /// A bounding-volume hierarchy over a valid surface. Const queries may run on any number of
-/// threads; the answer to a query does not depend on earlier ones.
+/// threads; the answer to a query does not depend on earlier ones. Cost: O(n log n) to make, O(log n) for a
+/// query near the surface. Far from it, where many triangles are nearly as close, a query takes longer.
+/// Lengths are in the unit of the surface.
 class ClosestPointTree {
  public:
   /// `surface` must be welded, edge-manifold and without degenerate triangles. It is copied. The tree is the
@@ -52,7 +54,8 @@ class ClosestPointTree {
   void closest(std::span<const Query> queries, std::span<ClosestPoint> answers) const;
 
   [[nodiscard]] std::size_t triangleCount() const;
-  /// The number of a triangle in an order in which neighbours are near each other.
+  /// The place of a triangle in the tree's own order, in which triangles that are close together follow on
+  /// each other. For queries in that order.
   [[nodiscard]] std::size_t placeOf(TriangleId t) const;
 
   /// ‖p − c(p)‖ without the feature; starts from the triangle `hint` of a neighbouring query.

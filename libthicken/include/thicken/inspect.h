@@ -34,8 +34,8 @@ struct Inspection {
   std::vector<SolidShell> shells;  ///< empty where the audit failed; numbered by first triangle
 };
 
-/// Audits `solid` by exact predicates, corners of equal coordinates being one vertex, and takes stock
-/// of its shells. Throws only kCancelled.
+/// Audits `solid` by exact predicates, corners of equal coordinates being one vertex, and measures its
+/// shells. Throws only kCancelled. Cost: O(n log n).
 [[nodiscard]] Inspection inspect(const TriangleMesh& solid, RunContext context = {}, int threads = 0);
 
 /// For each triangle, how far it is from its middle straight through the material to the boundary again,
@@ -44,7 +44,7 @@ struct Inspection {
 /// - `isEdge`, empty or a number for each triangle, is not 0 for cross-sections, such as those at a rim and
 ///   within a drilled hole: no wall begins or ends there;
 /// - a triangle has no area, or nothing lies opposite.
-/// Throws only kCancelled.
+/// Throws only kCancelled. Cost: O(n log n), a ray for each triangle.
 [[nodiscard]] std::vector<double> wallThickness(const TriangleMesh& solid, RunContext context = {},
                                                 int threads = 0, std::span<const std::uint8_t> isEdge = {});
 

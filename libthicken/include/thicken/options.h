@@ -42,14 +42,14 @@ enum class Precision {
 
 struct Options {
   double thickness = 0;  ///< r > 0, finite
-  /// mm: the solid begins so far from S, in place of at S. The surface there is Solid::gapSurface, and what is
-  /// kept bit for bit. 0: none.
+  /// mm: the solid begins so far from S, in place of at S. The surface there is Solid::gapSurface, and what
+  /// is kept bit for bit. 0: none.
   double gap = 0;
   Side side = Side::kNegative;
   Method method = Method::kAuto;
   Precision precision = Precision::kDouble;
   std::optional<double> cell;       ///< cell width w of the field, < r/2 (Remark 1)
-  std::optional<int> resolution;    ///< cells along the longest side of the box grown by r
+  std::optional<int> resolution;    ///< cells along the longest side of the box grown by r; 4 to 65536
   std::optional<Join> join;         ///< round for kReconstruct and where there is a tolerance, else mitred
   std::optional<double> tolerance;  ///< farthest that the shell may be from its definition
   std::optional<int> smooth;        ///< rounds of shape optimisation (§4.3); 0 to 100

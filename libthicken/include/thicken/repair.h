@@ -2,7 +2,7 @@
 //
 // Makes a valid surface of a defective one, gently: near-equal corners of rims become one vertex,
 // triangles without area and repeated ones are dropped, neighbours are given one sense, and where
-// triangles meet, crowd at an edge or touch in a point only, as few of them as possible are removed.
+// triangles meet, share an edge with two others or touch in a point only, as few as possible are removed.
 //
 // Guarantee: the result is empty of every defect that check() knows. No corner moves but those that
 // are welded to another. Every triangle of the result is one of the input, in either sense and with welded

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Splits a range of triangles' boxes by the surface-area heuristic. Boxes are floats that are moved along
-// with the order that they get, so that every pass over a range reads memory in sequence; only the quality of
-// a tree depends on them.
+// Splits a range of triangles' boxes by the surface-area heuristic. Boxes are floats: they decide the quality
+// of a tree and no answer. They are moved along with the order, so that each pass over a range reads memory
+// in sequence.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,7 +21,7 @@ class AreaSplit {
  public:
   using Four = Eigen::Array<float, 4, 1>;
 
-  /// A box; what is in the fourth number means nothing.
+  /// A box; the fourth numbers have no meaning.
   struct Box {
     Four low = Four::Constant(std::numeric_limits<float>::infinity());
     Four high = Four::Constant(-std::numeric_limits<float>::infinity());
@@ -47,11 +47,11 @@ class AreaSplit {
   /// All of them.
   [[nodiscard]] Range whole() const;
 
-  /// Reorders a range of more than one and splits it. May run for ranges that have nothing in common at a
+  /// Reorders a range of at least two triangles and splits it. Disjoint ranges may be split at the same
   /// time.
   [[nodiscard]] std::pair<Range, Range> split(const Range& r, int threads = 1);
 
-  /// Splits a range of more than one in the middle of its order.
+  /// Splits a range of at least two triangles in the middle of its order.
   [[nodiscard]] std::pair<Range, Range> halve(const Range& r) const;
 
   /// The triangle at a place of the order.

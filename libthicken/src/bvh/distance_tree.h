@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Four-wide bounding-volume hierarchy for nearest-triangle queries. Boxes are turned into the mean
-// plane of their triangles: what is asked for are mostly points at the same distance from many
-// triangles, where boxes along the axes around slanting triangles rule out few of them. Boxes are
-// floats about the centre of the mesh, grown by the rounding of a query, so that a float comparison
-// never drops the closest triangle; triangles themselves are measured in doubles.
+// Four-wide bounding-volume hierarchy for nearest-triangle queries. Most queries are at the same distance
+// from many triangles. There, boxes along the axes rule out few slanting triangles. So boxes are turned into
+// the mean plane of their triangles. Boxes are floats about the centre of the mesh, grown by the rounding of
+// a query: no comparison of floats drops the closest triangle. Triangles are measured in doubles.
 #pragma once
 
 #include <cstdint>
@@ -31,8 +30,8 @@ class DistanceTree {
   /// with a lower id. Returns whether there was one.
   bool nearest(const Vec3& p, Hit& hit) const;
 
-  /// The same for each of some points that lie close together, quicker than one by one where the hits are
-  /// near the points already, by a triangle or a bound: what none of them can reach is ruled out once.
+  /// The same for some points that lie close together. Subtrees that none of them can reach are ruled out
+  /// once for all: quicker than one by one if each hit starts near its point, by a triangle or a bound.
   void nearest(std::span<const Vec3> points, std::span<Hit> hits) const;
 
   /// The number of a triangle in the order of the leaves.
@@ -55,8 +54,8 @@ class DistanceTree {
     float half[3][kWidth];       ///< extent along each axis
     std::int32_t child[kWidth];  ///< ≥ 0: node; < 0: −1 − leaf; kEmpty
   };
-  /// Four triangles as half-spaces: what lies above or below the plane, or beyond an edge, is at least as
-  /// far as that says.
+  /// Four triangles as half-spaces. A point's distance to the plane, or beyond an edge, is a lower bound of
+  /// its distance to the triangle.
   struct alignas(64) Leaf {
     float plane[4][4][kWidth];  ///< unit normal and height, then for each edge the way out and its height
     std::uint32_t first;        ///< of order_
@@ -65,8 +64,8 @@ class DistanceTree {
   };
   static constexpr std::int32_t kEmpty = INT32_MAX;
 
-  /// What waits in a query at most: three children for each level that Builder makes, and the boxes of a
-  /// Part.
+  /// The most nodes that wait in a query: three children for each level that Builder makes, and the boxes of
+  /// a Part.
   static constexpr int kMostWaiting = 208;
 
   using Four = Eigen::Array<float, kWidth, 1>;

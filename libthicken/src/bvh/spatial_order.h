@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Queries for many points in the order of the tree, whatever the order of the file: those that are close
-// together are made together, and find what they look at in the processor's caches.
+// Makes many queries in the order of the tree, whatever the order of the file. Queries that are close
+// together find the nodes that they look at in the processor's caches.
 #pragma once
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
 // Distance between two triangles that do not meet: from a corner of one to the other, or between two edges.
-// What is returned belongs to a pair of points, so that rounding can only make it too large, and that by the
-// square of a relative error: edges that are nearly parallel have their ends nearly as near.
+// The result is the distance of two points of the triangles. So rounding can only make it too large, and only
+// by the square of a relative error: nearly parallel edges have ends that are nearly as near.
 #pragma once
 
 #include "bvh/triangle_distance.h"

@@ -24,8 +24,8 @@ struct AuditResult {
 /// is for kNegative, with every triangle reversed for kPositive; for kBoth its rim edges must be
 /// edges of the solid. Vertices of equal coordinates are welded before anything is decided, as any
 /// reader of an STL would. "Outward" is decided for nested components: a component within an even
-/// number of others has positive volume, within an odd number negative. `order`: of the leaves of a BoxTree
-/// over the same triangles, if there was one; it saves time, and decides nothing. `most`: triangles that are
+/// number of others has positive volume, within an odd number negative. `order`: the leaves' order of a
+/// BoxTree over the same triangles, or empty; it saves time and decides nothing. `most`: triangles that are
 /// searched for meetings at a time (PairSearch).
 [[nodiscard]] AuditResult audit(const TriangleMesh& solid, const TriangleMesh& surface, Side side,
                                 const RunContext& context, int threads,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// What is wrong with the triangles of a mesh one by one and with the way they are joined, as bare
-// ids; check() and audit() put it into words.
+// Finds defects of single triangles and of the way they are joined, as ids. check() and audit() make
+// sentences of them.
 #pragma once
 
 #include <span>
@@ -26,7 +26,7 @@ struct BadTriangles {
   std::vector<std::uint8_t> proper;  ///< per triangle: joined, and with an area
 };
 
-/// `finite` false: coordinates are not looked at, and triangles are without area by their ids alone.
+/// `finite` false: coordinates are ignored, and a triangle is without area only if it names a vertex twice.
 [[nodiscard]] BadTriangles badTriangles(const TriangleMesh& mesh, bool finite, const RunContext& context,
                                         int threads);
 

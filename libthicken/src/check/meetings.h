@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Self-intersections of a mesh, gathered up to a number that no report needs more than, so that a
-// mesh in which everything meets everything costs neither time nor memory.
+// Finds self-intersections of a mesh, up to the number that a report lists. So a mesh in which all triangles
+// meet costs neither time nor memory.
 #pragma once
 
 #include <span>
@@ -22,7 +22,7 @@ struct Meetings {
 /// Same answer for any number of threads.
 [[nodiscard]] Meetings meetingsOf(const exact::PairSearch& search, const RunContext& context, int threads);
 
-/// A point close to where two triangles meet: the centre of what their boxes have in common, mm.
+/// A point near the place where two triangles meet: the centre of the intersection of their boxes, mm.
 [[nodiscard]] Vec3 placeOf(const TriangleMesh& mesh, const exact::TrianglePair& pair);
 
 }  // namespace thicken

@@ -20,7 +20,7 @@ namespace thicken {
 /// volume). Exact. The shell must be closed, manifold, of one sense and free of intersections.
 [[nodiscard]] bool facesOutward(const TriangleMesh& mesh, const HalfEdges& edges, VertexId lowest);
 
-/// Which triangles the two below may have to look at for these vertices: a tree over the others is not
+/// The triangles that the two functions below may need for these vertices. A tree over the others is not
 /// needed.
 [[nodiscard]] std::vector<std::uint8_t> trianglesBelow(const TriangleMesh& mesh,
                                                        std::span<const VertexId> vertices, int threads);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Where grid edges cross the part of ∂H that is to be made: the difference of the labels of an edge's
-// ends less the exact crossings of the carrier, placed by secants, with Hermite data (paper §4.2).
+// Where grid edges cross the open part of ∂H (paper §4.2). Their number is exact: the difference of the
+// labels of an edge's ends, less the signed crossings of the carrier. Secants place them. Each has a normal.
 #pragma once
 
 #include <span>

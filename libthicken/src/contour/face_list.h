@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Faces of any number of corners, one behind the other: millions of small vectors would cost more to make
-// than what they hold.
+// Faces of any number of corners in one array. Millions of small vectors would cost more than their contents.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Pairs what enters a face of the grid with what leaves it: signed crossings of its edges and signed
-// passages of the rim. Each pair is an arc of the surface in that face, and so a dual edge.
+// Pairs signed crossings of a grid face's edges and signed passages of the rim: each that enters the face
+// with one that leaves it. A pair is an arc of the surface in that face: a dual edge.
 #pragma once
 
 #include <cstdint>
@@ -22,12 +22,12 @@ using Arc = std::pair<std::uint32_t, std::uint32_t>;
 /// Sector k of an edge along `axis` is the cell at this offset from the edge's node.
 [[nodiscard]] GridIndex sectorOffset(int axis, int k);
 
-/// Is given the arcs of some faces, in the order of the faces' keys; called on any thread.
+/// Takes the arcs of some faces, in the order of the faces' keys. Called on any thread.
 using VisitArcs = std::function<void(std::span<const Arc>)>;
 
-/// Matches all faces, those of a part of the crossings at a time, so that only a part is ever held. Returns
-/// the arcs that share their face with others, in the order of the faces' keys. `crossings` in order,
-/// `passages` in the order of the ways' visits.
+/// Matches all faces, a part of the crossings at a time, so that only a part is held. Returns the arcs that
+/// share their face with others, in the order of the faces' keys. `crossings` must be sorted; `passages` must
+/// be in the order of the ways' visits.
 std::vector<Arc> matchFaces(const std::vector<Crossing>& crossings, const std::vector<RimPassage>& passages,
                             int threads, const VisitArcs& visit);
 

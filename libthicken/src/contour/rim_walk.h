@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// The way of a rim through the cells of a grid (paper §4.1), by exact comparisons, so that it passes
-// through a face of the grid exactly where the signed crossings around that face do not cancel.
+// The way of a rim through the cells of a grid (paper §4.1). Exact comparisons decide: it passes through a
+// face of the grid if and only if the signed crossings around that face do not cancel.
 #pragma once
 
 #include <span>
@@ -26,9 +26,9 @@ struct RimVisit {
   RimPassage exit;
 };
 
-/// The cyclic way of one loop, in rim order, freed of excursions: where the rim enters a cell and
-/// leaves it through the same face, its vertices there are counted to the cell that it came from. A
-/// loop that stays in one cell is one visit without a passage.
+/// The cyclic way of one loop, in rim order, without excursions: if the rim enters and leaves a cell through
+/// the same face, its vertices there belong to the cell that it came from. A loop within one cell is one
+/// visit without a passage.
 using RimWay = std::vector<RimVisit>;
 
 /// The ways of all loops. Throws GridTouches where a comparison is a tie.

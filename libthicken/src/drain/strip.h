@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Triangulation of a flat polygon by cutting off ears, the best shaped first.
+// Triangulates a flat polygon by ear clipping, the best shaped ears first.
 #pragma once
 
 #include <vector>

@@ -16,9 +16,9 @@ namespace thicken::exact {
 
 class BoxTree {
  public:
-  /// `active[t] == 0` leaves triangle t out (empty span: all are in). `order`: that of the leaves of a tree
-  /// over as many triangles in much the same places, which need not be found again; it is passed over unless
-  /// it names each triangle that is in once, and answers do not depend on it.
+  /// `active[t] == 0` leaves triangle t out (empty span: all are in). `order`: the leaves' order of a tree
+  /// over as many triangles in nearly the same places; it saves the time to find one. It is ignored unless it
+  /// names each active triangle once. Answers do not depend on it.
   BoxTree(std::span<const Vec3> positions, std::span<const Triangle> triangles, int threads,
           std::span<const std::uint8_t> active = {}, std::span<const TriangleId> order = {});
   ~BoxTree();

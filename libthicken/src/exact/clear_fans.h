@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Most triangles whose boxes overlap are neighbours, and most of these are told to be clear of each other by
-// one look at the vertex that they share: where all triangles around it turn the same side to some axis, and
-// go round it once, they lie side by side as seen along that axis.
+// Most triangles whose boxes overlap are neighbours. One look at the vertex that they share proves most of
+// these clear of each other: if all triangles around it turn the same side to some axis and go round it once,
+// they lie side by side as seen along that axis.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,9 @@
 
 namespace thicken::exact {
 
-/// For each vertex 1 where it is proved, exactly, that no two of the triangles around it meet (exact::meet).
-/// 0 says nothing; it is the answer at rims, at edges and points that are no manifold, around creases, and
-/// where all triangles are `fixed` (empty: none are).
+/// Per vertex 1 if it is proved, exactly, that no two of the triangles around it meet (exact::meet). 0 says
+/// nothing. It is the answer at rims, at non-manifold edges and vertices, around creases, and if all
+/// triangles are `fixed` (empty: none are).
 [[nodiscard]] std::vector<std::uint8_t> clearFans(std::span<const Vec3> positions,
                                                   std::span<const Triangle> triangles,
                                                   std::span<const std::uint8_t> fixed, int threads);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// What the exact predicates need to be exact: coordinates of which no product of three over- or underflows,
-// and arithmetic that rounds to nearest, operation by operation.
+// The preconditions of the exact predicates: no product of three coordinates over- or underflows, and each
+// operation rounds to nearest.
 #pragma once
 
 #include <cfloat>
@@ -23,8 +23,8 @@ inline constexpr double kLeastCoordinate = 0x1p-250;
 /// 2^27 + 1 on the way, stays below 2^420: far below 2^1024.
 inline constexpr double kLargestCoordinate = FLT_MAX;
 
-/// Whether every coordinate of `p` is 0 or within the two bounds. By its bits: where the processor takes
-/// subnormal numbers for 0, comparisons do so, too.
+/// Whether every coordinate of `p` is 0 or within the two bounds. The bits decide: where the processor takes
+/// subnormal numbers for 0, comparisons do, too.
 [[nodiscard]] bool inDomain(const Vec3& p);
 
 /// Throws Error(kArithmetic) unless this thread rounds to nearest, keeps subnormal numbers and does not

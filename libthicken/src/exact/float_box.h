@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Axis-aligned boxes of floats that are certain to hold what they were made for: half the memory of
-// doubles, which is what the time of a tree goes to.
+// Axis-aligned boxes of floats that hold all that they were made for. They take half the memory of doubles,
+// and memory decides the time of a tree.
 #pragma once
 
 #ifdef __SSE__

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// The search for all pairs of triangles that meet: with one tree over all of them or, where they are more
-// than are to be held at a time, block of space after block, with a tree over the triangles that reach into
-// it. A pair belongs to the block that holds the lower corner of what the triangles' boxes have in common.
+// Finds all pairs of triangles that meet, with one tree over all of them. If they are more than may be held
+// at a time, space is divided into blocks, and each block gets a tree over the triangles that reach into it.
+// A pair belongs to the block that holds the lower corner of the intersection of its boxes.
 #pragma once
 
 #include <optional>
@@ -17,9 +17,9 @@ class PairSearch {
  public:
   static constexpr std::size_t kAll = ~std::size_t{0};
 
-  /// `mesh` must outlive this; its positions may change, of which withMoved() is to be told. `most`:
-  /// triangles to have in a tree at a time; a block in which more meet or are heaped has more. `active` and
-  /// `order` are BoxTree's.
+  /// `mesh` must outlive this. Its positions may change: withMoved() must be told. `most`: triangles in a
+  /// tree at a time; a block in which more of them reach into one place has more. `active`, `order`:
+  /// BoxTree's.
   PairSearch(const TriangleMesh& mesh, std::size_t most, int threads,
              std::span<const std::uint8_t> active = {}, std::span<const TriangleId> order = {});
 

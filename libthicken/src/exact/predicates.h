@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
 // Exact predicates: the sign of a determinant of double coordinates, decided by a floating-point
-// filter first and by expansion arithmetic (Shewchuk 1997) where the filter cannot. Valid for
-// coordinates and arithmetic as domain.h asks for them, which check() and audit() see to.
+// filter first and by expansion arithmetic (Shewchuk 1997) where the filter cannot. Preconditions: domain.h;
+// check() and audit() test them.
 #pragma once
 
 #include "thicken/mesh.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// A few bits for every node or cell of a grid: what has to be known of each of them to the end, in a byte or
-// two.
+// A few bits for every node or cell of a grid, in a byte or two: facts that are needed to the end.
 #pragma once
 
 #include <array>

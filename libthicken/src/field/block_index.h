@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Numbers nodes of a grid in the order in which they arrive, as KeyIndex does for any keys, but looks a block
-// of them up at once.
+// Numbers nodes of a grid in the order in which they arrive, as KeyIndex does for any keys. It looks up a
+// block of nodes at once.
 #pragma once
 
 #include <array>

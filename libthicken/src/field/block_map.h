@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Something for every block of 4³ nodes or cells of a grid that was asked for: neighbours share a few lines
-// of memory, where a table of single keys scatters them.
+// Maps blocks of 4³ nodes or cells of a grid to values. Neighbours share a few lines of memory; a table of
+// single keys would scatter them.
 #pragma once
 
 #include <cstddef>

@@ -2,8 +2,8 @@
 //
 // Definition 2 at a point, for a surface that has been extended: the carrier Ŝ is S with further
 // triangles that are already known to bound the solid (the wall next to the rim, pieces of shell).
-// Which side of Ŝ a point lies on decides where Ŝ's own faces are closest; elsewhere Definition 2. So it
-// does before a piece of shell, too, where another sheet's material may begin at once.
+// If the closest face is one of Ŝ's own, its side classifies the point. Otherwise, and outside a kept piece
+// of shell, Definition 2 does: another sheet's material may begin there at once.
 #pragma once
 
 #include <cstddef>
@@ -35,10 +35,9 @@ struct Probe {
 class Membership {
  public:
   /// The first `surfaceTriangles` triangles of the carrier are those of the surface, in its order. `surface`
-  /// is their tree; it must outlive this, as must `covered`. Only what the carrier has beyond them gets a
-  /// tree of its own. `region` per triangle of the carrier tells pieces of shell; empty: there are none.
-  /// `covered` per triangle of the surface: 1 where such a piece ends its material, however deep; empty:
-  /// nowhere.
+  /// is their tree. The other triangles get a tree of their own. `region`, per triangle of the carrier, marks
+  /// pieces of shell (empty: none). `covered`, per triangle of the surface: 1 if such a piece ends its
+  /// material, at any depth (empty: none). `surface` and `covered` must outlive this.
   Membership(const TriangleMesh& carrier, const ClosestPointTree& surface, std::size_t surfaceTriangles,
              double thickness, std::span<const Region> region = {},
              std::span<const std::uint8_t> covered = {}, int threads = 1);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// The field of Definitions 1 and 2 at the nodes that were asked for, and at no others. Nodes far from
-// what is contoured are never asked for, so that time and memory follow the area of the contour and not
-// the volume of the paper's candidate region (Definition 4).
+// The field of Definitions 1 and 2 at the nodes that were asked for. Nodes far from the contour are never
+// asked for. So time and memory go with the area of the contour, not with the volume of the paper's candidate
+// region (Definition 4).
 #pragma once
 
 #include <algorithm>
@@ -32,8 +32,7 @@ class NodeField {
 
   static constexpr std::size_t kAny = ~std::size_t{0};
 
-  /// `most`: how many nodes are to be known at a time. It is for those who want nodes to look at isFull() and
-  /// to drop() them all.
+  /// `most`: nodes that may be known at a time. The caller has to look at isFull() and to drop() them all.
   explicit NodeField(const UniformGrid& grid, std::size_t most = kAny) : grid_(grid), most_(most) {}
 
   /// A node that no sample is known of yet.
@@ -93,8 +92,7 @@ class NodeField {
   /// The node (UniformGrid::key) of a number.
   [[nodiscard]] std::uint64_t key(std::uint32_t i) const { return index_.keys()[i]; }
 
-  /// What the field has cost: cells that were looked at, in every attempt, and nodes that it is or was known
-  /// at.
+  /// The cost of the field: cells that were looked at, in all attempts, and nodes that were evaluated.
   void countCells(std::size_t more) { cells_ += more; }
   [[nodiscard]] std::size_t cells() const { return cells_; }
   [[nodiscard]] std::size_t nodes() const { return dropped_ + samples_.size(); }

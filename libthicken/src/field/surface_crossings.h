@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Exact signed crossings of a triangle surface with the edges of a grid. They are what makes the
-// contour's boundary the surface's rim for any labels of the nodes: around a face of the grid the
-// crossings sum up to the rim's passages through that face.
+// Exact signed crossings of a triangle surface with the edges of a grid. Around a face of the grid they sum
+// to the rim's passages through that face. So the contour's border is the surface's rim, whatever the labels
+// of the nodes are.
 #pragma once
 
 #include <cstdint>
@@ -20,8 +20,8 @@ struct SurfaceCrossing {
   int jump;            ///< what inside − outside changes by in the axis' direction: −1 leaves the solid
 };
 
-/// The crossings of a surface, found by edge: most edges that a contour asks for are far from all triangles,
-/// and a surface may cross a great many that none asks for.
+/// Finds crossings edge by edge. Most edges that a contour asks for are far from all triangles, and a surface
+/// crosses many that it never asks for.
 class SurfaceCrossings {
  public:
   /// `positions` and `triangles` must outlive this.

@@ -55,8 +55,8 @@ class UniformGrid {
   GridIndex cells_{};
 };
 
-/// Thrown where a vertex, edge or plane of a surface touches a grid line exactly, which no sign could
-/// tell: the caller shifts the grid and starts again.
+/// Thrown if a vertex, edge or plane of a surface touches a grid line exactly: no sign decides there. The
+/// caller shifts the grid and starts again.
 struct GridTouches {};
 
 }  // namespace thicken

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Files of another kind than their name says, told as what they are.
+// Recognises files of another kind than their name says.
 #pragma once
 
 #include "io/source_file.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// The points of a shell at which its distance from S is looked at.
+// The points of a shell at which its distance from S is measured.
 #pragma once
 
 #include <cstddef>

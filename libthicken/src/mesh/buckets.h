@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Sorts what items bring into numbered buckets, on several threads: each counts and then puts those of its
-// own part of the items, so that every bucket holds its values in the order of the items.
+// Sorts values of items into numbered buckets, on several threads. Each thread counts and then puts the
+// values of its part of the items. So every bucket holds its values in the order of the items.
 #pragma once
 
 #include <algorithm>
@@ -19,8 +19,8 @@ struct Buckets {
   std::vector<T> values;
 };
 
-/// `visit(i, put)` calls put(bucket, value) for each value that item i brings, the same ones whenever it is
-/// called; on any thread.
+/// `visit(i, put)` calls put(bucket, value) for each value of item i. It is called more than once, on any
+/// thread, and must give the same values each time.
 template <class T, class Visit>
 [[nodiscard]] Buckets<T> intoBuckets(std::size_t items, std::size_t buckets, int threads, Visit visit) {
   constexpr std::size_t kWorthwhile = 1 << 14, kMostParts = 8;

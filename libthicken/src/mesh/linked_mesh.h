@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// A closed manifold triangle mesh whose edges can be collapsed. Triangles and vertices keep their ids; those
-// that are gone stay as triangles without extent.
+// A closed manifold triangle mesh whose edges can be collapsed. Triangles and vertices keep their ids. A
+// triangle that is gone stays in the list, without extent.
 #pragma once
 
 #include <array>
@@ -17,8 +17,8 @@ class LinkedMesh {
   /// `triangles`, of so many vertices, must outlive this.
   LinkedMesh(std::size_t vertices, std::vector<Triangle>& triangles, int threads);
 
-  /// Whether each edge has one triangle on either side, and each vertex one fan of triangles. Where it is
-  /// false, nothing else may be asked.
+  /// Whether each edge has one triangle on either side, and each vertex one fan of triangles. If it is false,
+  /// no other function may be called.
   [[nodiscard]] bool isClosedManifold() const;
 
   [[nodiscard]] bool isGone(TriangleId t) const { return gone_[t] != 0; }

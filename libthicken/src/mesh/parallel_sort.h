@@ -65,7 +65,7 @@ void mergeRuns(std::vector<T>& items, std::vector<std::size_t> bounds, Before be
   parallelFor(items.size(), threads, RunContext(), kGrain, [&](std::size_t i) { items[i] = buffer[i]; });
 }
 
-/// Sorts `items`; `before` must tell any two of them apart that are not the same in all.
+/// Sorts `items`. `before` must order any two of them that differ.
 template <class T, class Before>
 void parallelSort(std::vector<T>& items, Before before, int threads) {
   constexpr std::size_t kWorthwhile = 1 << 14;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Disjoint sets of consecutive numbers. The root of a set is its smallest member, whatever the order
-// in which the set was joined, and on however many threads.
+// Disjoint sets of consecutive numbers. The root of a set is its smallest member. It does not depend on the
+// order in which sets were joined, nor on the number of threads.
 #pragma once
 
 #include <atomic>

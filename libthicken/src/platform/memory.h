@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Memory of the process and of the machine. What there is no way to ask or to do for on a system has no
-// effect there.
+// Memory of the process and of the machine. What a system cannot tell or do has no effect there.
 #pragma once
 
 #include <cstddef>
@@ -14,16 +13,16 @@ namespace thicken {
 /// Bytes of memory that the machine has; 0 where it does not say.
 [[nodiscard]] std::size_t machineMemory() noexcept;
 
-/// Gives back to the system what was freed: the C library keeps it for later, which counts against a limit on
+/// Gives freed memory back to the system. The C library keeps it otherwise, and it counts against a limit on
 /// what the process holds.
 void returnFreedMemory() noexcept;
 
-/// Has the process keep what it frees for what it allocates next, instead of returning it to the machine and
-/// having every page zeroed again: that is a tenth of the time of a quick run.
+/// Has the process keep freed memory for later. Otherwise the system takes it and clears every page again: a
+/// tenth of the time of a quick run.
 void keepFreedMemory() noexcept;
 
-/// From now on arrays that are large beside a memory limit of so many bytes go back to the system as soon as
-/// they are freed, at the cost of some time, so that what the process holds is about what it uses.
+/// From now on arrays that are large beside a memory limit of so many bytes go back to the system when they
+/// are freed. Then the process holds about what it uses. It costs some time.
 void returnFreedArrays(std::size_t limit) noexcept;
 
 }  // namespace thicken

@@ -134,7 +134,8 @@ void describeRun(CLI::App& app, Arguments& arguments, double& memory) {
   app.set_help_flag("-h,--help", "Print this help");
 }
 
-void describeThicken(CLI::App& app, Arguments& arguments) {
+// What the solid is like.
+void describeSolid(CLI::App& app, Arguments& arguments) {
   app.description(
       "Turns an open surface into a printable solid that keeps every triangle of the surface.\n"
       "Lengths are millimetres. `thicken check INPUT` examines a surface only, `thicken trim` cuts a part "
@@ -173,6 +174,11 @@ void describeThicken(CLI::App& app, Arguments& arguments) {
             std::vector{Simplify::kOff, Simplify::kAuto, Simplify::kShell},
             "Merge triangles that were added, within the tolerance");
   app.add_option("--smooth", options.smooth, "Rounds of shape optimisation")->type_name("ROUNDS");
+}
+
+void describeThicken(CLI::App& app, Arguments& arguments) {
+  describeSolid(app, arguments);
+  Options& options = arguments.options;
   app.add_flag("--repair", options.repair, "Mend a defective surface first and report every change");
   app.add_option("--weld", options.weld, "With --repair: join rims that are at most so far apart, mm")
       ->check(length())

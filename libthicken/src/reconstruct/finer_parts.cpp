@@ -109,8 +109,8 @@ class Refiner {
   // cells than allowed, or can nowhere be joined.
   std::optional<Reconstruction> again(const Reconstruction& made, const Parts& parts) {
     constexpr int kRings = 2;
-    constexpr double kLittle = 0.01;
-    constexpr std::size_t kAttempts = 6;
+    constexpr std::size_t kAttempts =
+        20;  // with any number garments took up to five times as long
     Holes holes;
     holes.carried = asSwept(made);
     holes.keep.assign(made.region.size(), 1);
@@ -124,8 +124,8 @@ class Refiner {
     task.width = parts.width;
     task.mayKeepShell = parts.mayKeepShell;
     task.held = heldBytes(surface_);
-    // There is something in the place of a little already, which is not worth any number of attempts.
-    if (parts.mayKeepShell && made.leftArea < kLittle * made.shellArea) task.attempts = kAttempts;
+    // There is something in its place already, which is not worth any number of attempts.
+    if (parts.mayKeepShell) task.attempts = kAttempts;
     std::optional<Reconstruction> finer =
         madeInWindows(surface_, holes, task, options_, context_, threads_, watch_);
     if (finer->finest == 0) return std::nullopt;

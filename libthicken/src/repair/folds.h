@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// What a sweep found no room below, although the surface is valid: folds so sharp, or sheets so close,
-// that the coordinates cannot hold a wall between them.
+// Folds so sharp, and sheets so close, that the coordinates cannot hold a wall below them, although the
+// surface is valid. A sweep names them.
 #pragma once
 
 #include <array>
@@ -21,16 +21,16 @@ class FoldOpener {
  public:
   static constexpr int kMostAttempts = 16;
 
-  /// The vertices of a small surface below which no solid can be made: none where one can. A whole
-  /// surface takes long to sweep, and what changes is near the folds.
+  /// Tries a small surface: the vertices below which no solid can be made, or none. It stands for the whole
+  /// surface, which takes long to sweep: changes are near the folds.
   using Trial = std::function<std::vector<VertexId>(const TriangleMesh&)>;
 
   explicit FoldOpener(Trial trial) : trial_(std::move(trial)) {}
 
-  /// Goes on with the account of `before`, a repair of the surface. Around each of `vertices`, ids in its
-  /// mesh, the triangle that is turned farthest from the others goes; where a place comes up again all
-  /// triangles around it, and the next time those around them, too; so on while the trial of what is
-  /// near names more. What touches in a point only afterwards is opened. Throws kNoSolid when nothing
+  /// Opens the surface around each of `vertices`, ids in the mesh of `before`, a repair of it. The first time
+  /// the triangle whose normal deviates most is removed; the second time all triangles around the vertex;
+  /// then those around them, and so on, until a trial sweep of the neighbourhood names no vertex. Vertices
+  /// that are non-manifold afterwards are opened. Adds to the account of `before`. Throws kNoSolid if nothing
   /// remains.
   [[nodiscard]] RepairResult open(const RepairResult& before, std::span<const VertexId> vertices,
                                   const RunContext& context, int threads);

@@ -7,10 +7,10 @@
 
 namespace thicken::repairing {
 
-/// Closes every rim of a valid surface, which it stays, that is shorter than `longest` mm: with the
-/// triangulation of least area, refined to the size of the triangles around it and faired to go on from
-/// them, or without what makes it meet the surface. New corners are float values where all corners are. Rims
-/// of more than kLongestLoop corners, and rims that no patch fits into, stay open. Counts into `facts`.
+/// Closes every rim of a valid surface that is shorter than `longest` mm; the surface stays valid. A patch
+/// begins as the triangulation of least area. It is refined to the size of the triangles around it and
+/// faired, unless it meets the surface then. New corners are float values if all corners are. Rims of more
+/// than kLongestLoop corners, and rims that no patch fits into, stay open. Counts into `facts`.
 void fillHoles(Workpiece& piece, double longest, AddedFacts& facts, const RunContext& context, int threads);
 
 }  // namespace thicken::repairing

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Step 3: where a corner of one triangle lies exactly on a rim edge of another, as it does beside a
-// triangle without area that was dropped, the other triangle is divided there. The shape stays, and
-// the two share edges afterwards instead of touching.
+// Step 3: if a corner of one triangle lies exactly on a rim edge of another, the other triangle is divided
+// there. Such corners lie beside dropped triangles without area. The shape stays, and the two share edges
+// afterwards.
 #pragma once
 
 #include <span>

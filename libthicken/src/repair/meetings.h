@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// The pairs of triangles under repair that meet, after their neighbours were divided where that
-// helps; in a bounded number.
+// The pairs of triangles under repair that meet, a bounded number of them. Triangles are divided before where
+// that ends a meeting.
 #pragma once
 
 #include <vector>

@@ -9,8 +9,8 @@
 
 namespace thicken::repairing {
 
-/// A rim that comes back to itself is near itself at every bend. Only where the way along it is this many
-/// times as long as the way across is it two rims beside each other.
+/// A rim is near itself at every bend. It counts as two rims beside each other if the way along it is this
+/// many times as long as the way across.
 inline constexpr double kFoldedBack = 4;
 
 /// Where on the segment from a to b it is closest to p, from 0 to 1.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Whether its owner would call a repaired solid repaired.
+// Whether a repair lost so much that its result is no repaired solid.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Two passes of a scanner over one place: sheets that lie on each other and run through each other all over.
+// Two passes of a scanner over one place: sheets that lie on each other and intersect all over.
 #pragma once
 
 #include <span>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Step 8: what was removed and is in nobody's way any more comes back.
+// Step 8: removed triangles that meet nothing any more come back.
 #pragma once
 
 #include <span>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// A surface under repair. Triangles are never taken out of the list: they are marked as gone, with
-// the reason, so that ids stay and every step can be undone.
+// A surface under repair. Triangles stay in the list and are marked as gone, with the reason. So ids stay,
+// and every step can be undone.
 #pragma once
 
 #include <vector>

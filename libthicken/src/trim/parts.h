@@ -19,8 +19,8 @@ class Parts {
         const std::vector<std::vector<VertexId>>& paths);
 
   [[nodiscard]] std::uint32_t at(TriangleId t) const { return partOf_[t]; }
-  /// Of the parts that every loop borders the one with the least length of the surface's own rims, and of
-  /// equal ones the smallest. Throws Error(kInvalidArgument) where there is none. none.
+  /// Of the parts that all loops border the one with the least length of the surface's own rims. Of equal
+  /// ones the smallest. Throws Error(kInvalidArgument) if there is none.
   [[nodiscard]] std::uint32_t inside() const;
   /// The loops that have the part on both of their sides, and those that have it on none.
   [[nodiscard]] std::vector<std::size_t> loopsWithin(std::uint32_t part) const;
