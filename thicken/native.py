@@ -20,7 +20,7 @@ from types import ModuleType
 
 # Counts the changes of the extension's interface that this package's Python code cannot do without. CMake compiles
 # the number in. Two versions with the same number may be mixed.
-ABI = 2
+ABI = 3
 
 PACKAGE_DIR = Path(__file__).resolve().parent
 DIRECTORY_VARIABLE = "THICKEN_NATIVE_DIR"

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Takes the pictures of docs/tutorial.md by clicking through it. Run by scripts/pictures."""
 
-import math
 from pathlib import Path
 
 import FreeCAD as App
@@ -97,47 +96,6 @@ class Tutorial(GuiCase):
         self.assertTrue(drained.Valid, drained.getStatusString())
         self.from_below()
         self.picture("drained")
-
-    def test_d_a_part_that_fits(self):
-        Mesh.insert(str(DATA / "bone.stl"), self.doc.Name)
-        (scan,) = self.doc.Objects
-        scan.Label = "bone"
-        self.show(view="Front")
-        self.select(scan)
-        panel = self.run_command("Thicken_Trim")
-        wait_until(lambda: panel.paths is not None, "the surface is prepared")
-        view = Gui.activeDocument().activeView()
-        box = scan.Mesh.BoundBox
-        middle = view.getPointOnScreen(box.Center)
-        radius = 0.1 * self.viewport().height()
-        for turn in range(0, 360, 45):
-            self.click_view((
-                middle[0] + radius * math.cos(math.radians(turn)),
-                middle[1] + 2 * radius * math.sin(math.radians(turn)),
-            ))  # fmt: skip
-        self.assertEqual(len(panel.points), 8)
-        self.child(panel, "Closed").setChecked(True)
-        self.child(panel, "Smooth").setValue(2)
-        self.picture("trim")
-        self.ok()
-        trimmed = self.doc.getObject("Trim")
-        self.assertTrue(trimmed.Valid, trimmed.getStatusString())
-        self.select(trimmed)
-        panel = self.run_command("Thicken_Make")
-        type_text(self.child(panel, "Thickness"), "3 mm")
-        type_text(self.child(panel, "Gap"), "0.5 mm")
-        click(self.child(panel, "Flip"))
-        wait_until(lambda: not panel._preview.busy(), "the preview is there")
-        self.picture("gap")
-        self.ok()
-        part = self.doc.getObject("Thicken")
-        self.assertTrue(part.Valid, part.getStatusString())
-        scan.ViewObject.Visibility = True
-        Gui.activeDocument().activeView().setCameraOrientation(App.Rotation(App.Vector(1, 0, 0), 20))
-        Gui.SendMsgToActiveView("ViewFit")
-        Gui.Selection.clearSelection()
-        process_events()
-        self.picture("fits")
 
     def test_c_region(self):
         Mesh.insert(str(DATA / "bracket.stl"), self.doc.Name)
