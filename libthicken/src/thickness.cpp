@@ -41,12 +41,22 @@ std::size_t flatten(const TriangleMesh& surface, std::vector<double>& r) {
   while (!open.empty()) {
     const auto [was, t] = open.top();
     open.pop();
-    const double steepness = steepnessOf(t), least = leastOf(t);
-    if (was != least || steepness <= kSteepest * kEnough) continue;
-    for (const VertexId v : surface.triangles[t]) {
-      if (r[v] == least) continue;
-      r[v] = least + (r[v] - least) * (kSteepest / steepness);
-      lowered[v] = 1;
+    const double least = leastOf(t);
+    if (was != least || steepnessOf(t) <= kSteepest * kEnough) continue;
+    // The highest corner alone where that does, as far as it has to; else all but the lowest.
+    Triangle corners = surface.triangles[t];
+    std::sort(corners.begin(), corners.end(), [&](VertexId a, VertexId b) { return r[a] < r[b]; });
+    const auto [low, middle, high] = corners;
+    double above = std::exchange(r[high], r[middle]), below = r[middle];
+    const bool highAlone = steepnessOf(t) <= kSteepest;
+    for (int i = 0; highAlone && i < 60; ++i) {
+      r[high] = (above + below) / 2;
+      (steepnessOf(t) <= kSteepest ? below : above) = r[high];
+    }
+    r[high] = below;
+    if (!highAlone) r[middle] = r[high] = least + (r[middle] - least) * (kSteepest / steepnessOf(t));
+    for (const VertexId v : {middle, high}) {
+      lowered[v] |= static_cast<std::uint8_t>(v == high || !highAlone);
       for (const TriangleId other : around.of(v)) open.emplace(leastOf(other), other);
     }
   }
