@@ -55,7 +55,7 @@ def thicken(
     gap: float = 0.0,
     threads: int = 0,
     context: RunContext | None = None,
-    thickness_map: Sequence[float] = (),
+    thickness_map: Sequence[float] = [],
 ) -> dict[str, Any]: ...
 def forecast(
     triangles: int,

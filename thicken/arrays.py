@@ -103,6 +103,16 @@ def forecast_mesh(
     )  # fmt: skip
 
 
+def _with_factors(thickness: ArrayLike, vertices: ArrayLike) -> tuple[Any, Any]:
+    """The largest of the thicknesses of the vertices, and factors of it; one number as it is."""
+    if not np.ndim(thickness):
+        return thickness, []
+    lengths = np.asarray(thickness, float)
+    if lengths.shape != np.shape(vertices)[:1] or not (np.isfinite(lengths).all() and (lengths > 0).all()):
+        raise ValueError("thickness must be a length above 0 mm, or one for each vertex")
+    return float(lengths.max()), lengths / lengths.max()
+
+
 def thicken_mesh(
     vertices: ArrayLike,
     triangles: ArrayLike,
@@ -151,13 +161,7 @@ def thicken_mesh(
             raise ValueError("memory must be a number of MiB above 0")
         context = context if context is not None else extension.RunContext()
         context.memory_limit = int(memory * _MIB)
-    factors: ArrayLike = ()
-    if np.ndim(thickness):
-        lengths = np.asarray(thickness, float)
-        if lengths.shape != (len(vertices),) or not (np.isfinite(lengths).all() and (lengths > 0).all()):
-            raise ValueError("thickness must be a length above 0 mm, or one for each vertex")
-        thickness = float(lengths.max())
-        factors = lengths / thickness
+    thickness, factors = _with_factors(thickness, vertices)
     solid = extension.thicken(
         vertices,
         triangles,

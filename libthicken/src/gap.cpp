@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "job/thickness.h"
 #include "measure/warnings.h"
 #include "mesh/place_text.h"
 #include "mesh/topology.h"
@@ -19,7 +20,6 @@
 #include "repair/outcome.h"
 #include "repair/workpiece.h"
 #include "thicken/thicken.h"
-#include "thickness.h"
 
 namespace thicken {
 namespace {

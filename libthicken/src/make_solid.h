@@ -3,7 +3,7 @@
 // From a valid surface to its solid: sweep, contour, fewer triangles, proof, figures.
 #pragma once
 
-#include "job.h"
+#include "job/job.h"
 #include "plan.h"
 #include "thicken/result.h"
 

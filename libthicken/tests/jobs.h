@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "job.h"
+#include "job/job.h"
 
 namespace thicken {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "thickness.h"
+#include "job/thickness.h"
 
 #include <gtest/gtest.h>
 

@@ -10,9 +10,9 @@
 #include <span>
 #include <vector>
 
+#include "job/thickness.h"
 #include "thicken/closest_point.h"
 #include "thicken/result.h"
-#include "thickness.h"
 
 namespace thicken {
 

@@ -24,7 +24,7 @@
 #include <span>
 #include <vector>
 
-#include "job.h"
+#include "job/job.h"
 #include "thicken/result.h"
 
 namespace thicken {

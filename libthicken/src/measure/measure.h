@@ -6,7 +6,7 @@
 
 #include <span>
 
-#include "job.h"
+#include "job/job.h"
 #include "thicken/result.h"
 
 namespace thicken {

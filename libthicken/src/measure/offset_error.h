@@ -9,7 +9,7 @@
 #include <cmath>
 #include <span>
 
-#include "job.h"
+#include "job/job.h"
 #include "mesh/topology.h"
 #include "thicken/closest_point.h"
 #include "thicken/mesh.h"

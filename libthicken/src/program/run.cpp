@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "io/sha256.h"
-#include "measure/stopwatch.h"
+#include "job/stopwatch.h"
 #include "mesh/vertex_values.h"
 #include "platform/memory.h"
 #include "program/draw_solid.h"

@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-#include "job.h"
+#include "job/job.h"
 #include "reconstruct/working_set.h"
 
 namespace thicken {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "job.h"
+#include "job/job.h"
 #include "reconstruct/cut.h"
 #include "reconstruct/reconstruction.h"
 #include "reconstruct/working_set.h"

@@ -12,7 +12,7 @@
 #include "contour/dual_surface.h"
 #include "contour/follow.h"
 #include "field/node_field.h"
-#include "job.h"
+#include "job/job.h"
 #include "reconstruct/carrier.h"
 #include "reconstruct/working_set.h"
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "job.h"
+#include "job/job.h"
 #include "reconstruct/carrier.h"
 
 namespace thicken {

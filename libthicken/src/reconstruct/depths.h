@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "job.h"
+#include "job/job.h"
 #include "reconstruct/reconstruction.h"
 #include "sweep/sweep.h"
 

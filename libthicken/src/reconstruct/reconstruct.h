@@ -6,7 +6,7 @@
 
 #include <optional>
 
-#include "job.h"
+#include "job/job.h"
 #include "reconstruct/reconstruction.h"
 #include "sweep/sweep.h"
 

@@ -53,6 +53,24 @@ bool endsHalfway(const Job& job, const Vec3& p, const ClosestPoint& c, double re
   return differs(p + step) || differs(p - step);
 }
 
+// The error of each vertex of the shell, mm; 0 for S's own.
+template <class ErrorOf>
+std::vector<double> errorsAtVertices(const Job& job, const SweepResult& swept, ErrorOf errorOf) {
+  std::vector<double> error(swept.mesh.positions.size(), 0);
+  SpatialOrder(swept.nearest, job.tree, job.threads)
+      .query(
+          job.tree, 1, job.threads, job.context,
+          [&](std::uint32_t v, std::size_t, ClosestPointTree::Query& query) {
+            query.point = swept.mesh.positions[v];
+            query.hint = swept.nearest[v];
+            return swept.distance[v] > 0;
+          },
+          [&](std::uint32_t v, std::size_t, const Vec3& at, const ClosestPoint& c) {
+            error[v] = errorOf(at, c);
+          });
+  return error;
+}
+
 // How far each triangle of the sweep's shell is off, mm (of a share of the thickness: as much as the same
 // share of the least thickness is): the most at its middle and in the middles of its corner pieces; 0 for
 // others. An error that one corner has alone counts as far as it reaches.
@@ -70,18 +88,7 @@ std::vector<double> shellErrors(const Job& job, const SweepResult& swept) {
     const double off = c.onRim ? 0 : scale * error.at(at, c).mm;
     return off < -enough && endsHalfway(job, at, c, enough / scale) ? 0 : std::abs(off);
   };
-  std::vector<double> atVertex(p.size(), 0);
-  SpatialOrder(swept.nearest, job.tree, threads)
-      .query(
-          job.tree, 1, threads, job.context,
-          [&](std::uint32_t v, std::size_t, ClosestPointTree::Query& query) {
-            query.point = p[v];
-            query.hint = swept.nearest[v];
-            return swept.distance[v] > 0;
-          },
-          [&](std::uint32_t v, std::size_t, const Vec3& at, const ClosestPoint& c) {
-            atVertex[v] = errorOf(at, c);
-          });
+  const std::vector<double> atVertex = errorsAtVertices(job, swept, errorOf);
   // Within a triangle with the longest edge e the square of the distance to S is not less than the mean of
   // its corners' by more than e²/3, so that its middle need not be looked at where that is a quarter of what
   // is left.

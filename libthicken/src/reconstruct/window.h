@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "job.h"
+#include "job/job.h"
 #include "reconstruct/cut.h"
 #include "reconstruct/reconstruction.h"
 #include "sweep/sweep.h"

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "job.h"
+#include "job/job.h"
 #include "thicken/result.h"
 
 namespace thicken {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include "job.h"
+#include "job/job.h"
 #include "sweep/swept_mesh.h"
 
 namespace thicken {

@@ -74,6 +74,17 @@ std::vector<TriangleId> wholeTriangles(const SweptMesh& mesh) {
   return ids;
 }
 
+// The triangles `shell` by their copies, as 3 · place in `shell` + corner.
+Buckets<std::uint32_t> cornersOfCopies(const SweptMesh& mesh, std::span<const TriangleId> shell,
+                                       int threads) {
+  return intoBuckets<std::uint32_t>(shell.size(), mesh.copies.size(), threads,
+                                    [&](std::size_t i, const auto& put) {
+                                      for (std::uint32_t corner = 0; corner < 3; ++corner)
+                                        put(mesh.triangles[shell[i]][corner] - mesh.surfaceVertices,
+                                            3 * static_cast<std::uint32_t>(i) + corner);
+                                    });
+}
+
 }  // namespace
 
 void polish(SweptMesh& mesh, const Job& job, const OffsetError& error) {
@@ -83,13 +94,7 @@ void polish(SweptMesh& mesh, const Job& job, const OffsetError& error) {
   const std::size_t each = shellSamplesPerTriangle(shell.size());
   std::vector<Sample> samples(each * shell.size());
   std::vector<double> area(shell.size());  // twice
-  const auto corners =
-      intoBuckets<std::uint32_t>(  // of the triangles, by their copies: 3 · place in `shell` + corner
-          shell.size(), mesh.copies.size(), threads, [&](std::size_t i, const auto& put) {
-            for (std::uint32_t corner = 0; corner < 3; ++corner)
-              put(mesh.triangles[shell[i]][corner] - mesh.surfaceVertices,
-                  3 * static_cast<std::uint32_t>(i) + corner);
-          });
+  const Buckets<std::uint32_t> corners = cornersOfCopies(mesh, shell, threads);
   const std::vector<TriangleId> above = trianglesAbove(shell, mesh, threads);
   parallelFor(samples.size(), threads, context, 8192,
               [&](std::size_t i) { samples[i].nearest = above[i / each]; });

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "job.h"
+#include "job/job.h"
 #include "thicken/result.h"
 
 namespace thicken {

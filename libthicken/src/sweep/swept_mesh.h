@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "job.h"
+#include "job/job.h"
 #include "mesh/topology.h"
 #include "sweep/direction.h"
 #include "thicken/mesh.h"

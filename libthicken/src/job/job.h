@@ -3,12 +3,12 @@
 // What every stage between the check of a surface and the audit of its solid knows.
 #pragma once
 
-#include "measure/stopwatch.h"
+#include "job/stopwatch.h"
+#include "job/thickness.h"
 #include "thicken/closest_point.h"
 #include "thicken/mesh.h"
 #include "thicken/options.h"
 #include "thicken/run_context.h"
-#include "thickness.h"
 
 namespace thicken {
 
