@@ -135,7 +135,7 @@ TEST(Gap, HasTheThicknessOfTheClosestPointsBehindIt) {
   const Solid solid = thicken(plane, o);
   expectKept(solid, Side::kNegative);
   EXPECT_NEAR(solid.report.volume, 144 * 2 * mean, 1e-3);
-  double deepest = 0, highest = -1;
+  double deepest = 0, highest = -5;
   for (const Vec3& p : solid.mesh.positions) {
     deepest = std::min(deepest, p.z() + 1.5 + 2 * (1.5 + 0.05 * p.x()));
     highest = std::max(highest, p.z());

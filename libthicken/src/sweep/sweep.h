@@ -6,28 +6,10 @@
 
 #include <cstdint>
 #include <optional>
-#include <vector>
 
-#include "job/job.h"
-#include "thicken/result.h"
+#include "sweep/sweep_result.h"
 
 namespace thicken {
-
-struct SweepResult {
-  TriangleMesh mesh;                ///< S's vertices and triangles first (on kBoth: no triangles of S)
-  std::vector<Region> region;       ///< per triangle
-  std::vector<VertexId> base;       ///< per vertex: the vertex of S that it is a copy of; S's own: itself;
-                                    ///< kNone: none, it stays where it is
-  std::vector<double> distance;     ///< mm per vertex: to S; 0 for S's own
-  std::vector<TriangleId> nearest;  ///< per copy of a vertex: a triangle of S at that distance; else any
-  std::vector<double> depth;        ///< mm per vertex of S: distance from its copy to S
-  std::vector<TriangleId> order;    ///< of the leaves of a BoxTree over the mesh; may be empty
-  std::vector<Vec3> up;             ///< per vertex: from the end of a wall that stays to where it hangs on
-                                    ///< S; may be empty
-  std::size_t droppedCopies = 0;
-  bool shellProved = true;  ///< whether all triangles are clear of each other, or only S and the walls
-  std::size_t rounds = 0;
-};
 
 /// Whether copies are moved to their exact distance, which the sweep itself does not need.
 enum class Polish : std::uint8_t { kNo, kYes };
