@@ -17,8 +17,8 @@ from typing import Any
 
 from part_table import MIB, Folder, Part, is_done, made_of, read_json, write_whole
 
-# What a job takes beside the program, MiB: this script and its shell take 20.
-BESIDE = 100
+# What a job takes beside the program, MiB: this script and its shell take 20, the engine in a job of a cluster 100.
+BESIDE = 200
 LAST_ATTEMPT = 3
 _PICTURE = "96x72"  # pixels, as the summary shows it
 # The statuses of runs that something outside has ended: by a signal, and by one that the program has obeyed.
