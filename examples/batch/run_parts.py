@@ -17,13 +17,15 @@ from typing import Any
 
 from part_table import MIB, Folder, Part, is_done, made_of, read_json, write_whole
 
-# What a job takes beside the program, MiB: this script and its shell take 20.
-BESIDE = 100
+# What a job takes beside the program, MiB: this script and its shell take 20, the engine in a job of a cluster 100.
+BESIDE = 200
 LAST_ATTEMPT = 3
 _PICTURE = "96x72"  # pixels, as the summary shows it
 # The statuses of runs that something outside has ended: by a signal, and by one that the program has obeyed.
 _ENDED = (-1, 5)
 _MORE_TIME, _MORE_MEMORY = 4, 2
+# Seconds that a part is given at least when its time was short: less would measure how busy the machine is.
+_LEAST_TIME = 60
 
 
 def limits_of(part: Part, folder: Folder, version: str) -> dict[str, Any]:
@@ -78,7 +80,7 @@ def next_limits(status: int, told: dict[str, Any], limits: dict[str, Any]) -> di
         return {**limits, "memory": enough}
     if told.get("code") == "time-limit":
         estimate = told.get("time", {}).get("enough_seconds") or 0
-        return {**limits, "timeout": math.ceil(max(_MORE_TIME * float(limits["timeout"]), estimate))}
+        return {**limits, "timeout": math.ceil(max(_MORE_TIME * float(limits["timeout"]), estimate, _LEAST_TIME))}
     return None
 
 

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import csv
+import hashlib
 import json
 import os
 import shutil
@@ -16,7 +17,7 @@ import unittest
 from pathlib import Path
 
 PROJECT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(PROJECT / "tests/program"))
+sys.path[:0] = [str(PROJECT / "tests/program"), str(PROJECT / "examples/batch")]
 from surfaces import SQUARE, wave, with_extra, write_off, write_ply  # noqa: E402
 
 PROGRAM = os.environ["THICKEN_PROGRAM"]
@@ -81,8 +82,9 @@ def read_json(path: Path) -> dict:
     return json.loads(path.read_text("utf-8"))
 
 
-def solids(folder: Path) -> dict[str, bytes]:
-    return {path.name: path.read_bytes() for path in folder.glob("*.stl")}
+def solids(folder: Path) -> dict[str, str]:
+    """The digest of each: where they differ, unittest would compare the bytes themselves for hours."""
+    return {path.name: hashlib.sha256(path.read_bytes()).hexdigest() for path in folder.glob("*.stl")}
 
 
 def kill_one(word: str, seconds: float = 600) -> bool:

@@ -108,6 +108,7 @@ def solids(folder: Path) -> dict[str, bytes]:
 
 
 def main(program: str, surfaces: Path, count: int) -> int:
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))  # what stands still then is ended, too
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         parts = parts_of(program, surfaces, folder, count)

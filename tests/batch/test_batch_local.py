@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The workflow on this machine: bad parts, limits that are too low, kills, and what is made again."""
 
+import os
 import re
 import signal
 import subprocess
@@ -9,6 +10,7 @@ import unittest
 from urllib.parse import unquote
 
 from batch_case import BAD, PROGRAM, BatchCase, kill_one, parts, read_json, read_summary, solids, write_off, write_table
+from run_parts import next_limits
 from surfaces import wave
 
 
@@ -125,8 +127,14 @@ class Again(BatchCase):
     def solid(self, k: int):
         return self.out / read_summary(self.out)[k]["solid"]
 
-    def test_nothing_is_made_twice(self):
-        self.assertEqual(self.changed_by(lambda: None), set())
+    def test_nothing_is_made_twice_and_old_remains_go(self):
+        old, young = (self.out / f"pictures/.thicken-{pid}-0.tmp" for pid in (1, 2))
+        def leave():
+            for path in (old, young):
+                path.touch()
+            os.utime(old, (0, 0))
+        self.assertEqual(self.changed_by(leave), set())
+        self.assertEqual((old.exists(), young.exists()), (False, True))
 
     def test_what_is_cut_short_or_gone_is_made_again(self):
         whole, first, second = solids(self.out), self.solid(0), self.solid(1)
@@ -159,6 +167,15 @@ class Again(BatchCase):
         self.assertEqual(process.wait(timeout=300), 0)
         self.assertEqual(run.returncode, 1)
         self.assertIn("another run is at work", run.stderr)
+
+
+class Limits(unittest.TestCase):
+    def test_a_retry_has_more_time_and_a_minute_at_least(self):
+        """On a busy machine the first runs of a part tell nothing of what it needs."""
+        def after(timeout: str, enough: float) -> float:
+            told = {"code": "time-limit", "time": {"enough_seconds": enough}}
+            return next_limits(4, told, {"memory": "4000", "timeout": timeout, "beside": 100})["timeout"]
+        self.assertEqual([after("0.05", 3), after("900", 100), after("900", 5000)], [60, 3600, 5000])
 
 
 class Tables(BatchCase):
