@@ -7,9 +7,10 @@ from contextlib import suppress
 from typing import Any, Protocol
 
 import FreeCAD as App
+import FreeCADGui as Gui
 import numpy as np
 
-from .view_clicks import Unselect
+from .qt import QtCore, QtWidgets
 
 # A point is taken, not a new one set, by a press so near to it.
 _NEAR_PIXELS = 9
@@ -25,41 +26,68 @@ class Owner(Protocol):
     def dragged(self, index: int, place: Any) -> None: ...  #: the point is to be there
 
 
-class LoopPoints:
-    """Tells `owner` what the mouse does on `obj`, until stop(). Places are in the coordinates of the object."""
+def _active_view() -> list[Any]:
+    """The widget that the active 3D view is drawn on, behind what it lies in: PySide forgets a widget with the object
+    that it was found in, and graphicsView() of a view may be that of one which has been closed."""
+    area = Gui.getMainWindow().findChild(QtWidgets.QMdiArea)
+    window = area.activeSubWindow() or area.subWindowList()[-1]
+    graphics = window.findChild(QtWidgets.QGraphicsView)
+    return [area, window, graphics, graphics.viewport()]
+
+
+class LoopPoints(QtCore.QObject):
+    """Tells `owner` what the left button does on `obj`, until stop(). Places are in the coordinates of the object.
+
+    The widget is watched, not FreeCAD's events: those tell of a press only when the button is released, and of what
+    a drag means to the view. What is done to points is kept from the view, which would select or turn.
+    """
 
     def __init__(self, view: Any, obj: Any, owner: Owner) -> None:
+        super().__init__()
         self._view, self._obj, self._owner = view, obj, owner
         self._held: int | None = None  # the point that follows the mouse
-        self._callbacks = {
-            kind: view.addEventCallback(kind, call)
-            for kind, call in (("SoMouseButtonEvent", self._on_button), ("SoLocation2Event", self._on_move))
-        }
-        self._unselect = Unselect()
+        self._is_down = False  # since a press on the surface
+        self._widgets = _active_view()
+        self._port = self._widgets[-1]
+        self._port.installEventFilter(self)
 
     def stop(self) -> None:
-        for kind, callback in self._callbacks.items():
-            with suppress(RuntimeError):  # the view was closed
-                self._view.removeEventCallback(kind, callback)
-        self._callbacks = {}
-        self._unselect.stop()
+        with suppress(RuntimeError):  # the view was closed
+            self._port.removeEventFilter(self)
 
-    def _on_button(self, event: dict[str, Any]) -> None:
-        if event["Button"] != "BUTTON1":
-            return
-        if event["State"] != "DOWN":
-            self._held = None
-            return
-        self._held = self._point_at(event["Position"])
+    def eventFilter(self, watched: Any, event: Any) -> bool:
+        kind = event.type()
+        if kind in (QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseButtonDblClick):
+            if event.button() == QtCore.Qt.LeftButton:
+                self._is_down = self._pressed(self._pixel(event))
+                return self._is_down
+        elif kind == QtCore.QEvent.MouseMove and self._is_down:
+            self._moved(self._pixel(event))
+            return True
+        elif kind == QtCore.QEvent.MouseButtonRelease and event.button() == QtCore.Qt.LeftButton and self._is_down:
+            self._is_down, self._held = False, None
+            return True
+        return False
+
+    def _pixel(self, event: Any) -> tuple[int, int]:
+        """From the lower left corner, as FreeCAD counts."""
+        ratio = self._port.devicePixelRatioF()
+        return round(event.pos().x() * ratio), round((self._port.height() - 1 - event.pos().y()) * ratio)
+
+    def _pressed(self, pixel: tuple[int, int]) -> bool:
+        self._held = self._point_at(pixel)
         if self._held is not None:
             self._owner.taken(self._held)
-        elif (place := self._place_at(event["Position"])) is not None:
+        elif (place := self._place_at(pixel)) is not None:
             self._owner.pressed(place)
+        else:
+            return False
+        return True
 
-    def _on_move(self, event: dict[str, Any]) -> None:
+    def _moved(self, pixel: tuple[int, int]) -> None:
         if self._held is None or self._held >= len(self._owner.points):
             return
-        if (place := self._place_at(event["Position"])) is not None:
+        if (place := self._place_at(pixel)) is not None:
             self._owner.dragged(self._held, place)
 
     def _placement(self) -> Any:
