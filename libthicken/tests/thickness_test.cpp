@@ -135,7 +135,8 @@ TEST(ThicknessMap, IsFollowedByEveryMethodOnACurvedSurface) {
   for (const Method method : {Method::kAuto, Method::kSweep, Method::kReconstruct}) {
     const Options options = mapped(cap, factor, method);
     const Solid solid = thicken(cap, options);
-    // A constant thickness has 0.042 of it at the worst point of the contour, and 0.6 % over 99 % of the area.
+    // A constant thickness has 0.042 of it at the worst point of the contour, and 0.6 % over 99 % of the
+    // area.
     EXPECT_LT(worstError(solid, cap, Thickness(cap, options.thicknessMap)), 0.045 * kR) << name(method);
     EXPECT_LT(solid.report.shellError.p99, 0.007) << name(method);
   }
