@@ -214,6 +214,34 @@ TEST(ReconstructSlow, GivesTheSameBytesBelowATightLimit) {
   EXPECT_THROW((void)thicken(sheet, by(r, cell, 2), context), Error);
 }
 
+// Fins whose gaps are narrower than two thicknesses: they are full of material. A copy that is stuck at the
+// bottom of a gap does not end halfway to the sheet that it is stuck at.
+TEST(Deepen, FillsGapsBetweenFinsOfOneTriangle) {
+  constexpr double kGap = 1.3, kFin = 0.3, kHeight = 3, kWidth = 4;
+  std::vector<Vec3> profile{{0, 0, 0}, {1, 0, 0}};
+  for (double x = 1; profile.size() < 20; x += kFin + kGap)
+    for (const Vec3& p :
+         {Vec3(x, 0, kHeight), Vec3(x + kFin, 0, kHeight), Vec3(x + kFin, 0, 0), Vec3(x + kFin + kGap, 0, 0)})
+      profile.push_back(p);
+  profile.back().x() += 1;
+  TriangleMesh fins;
+  for (const Vec3& p : profile) {
+    fins.positions.push_back(p);
+    fins.positions.push_back(p + Vec3(0, kWidth, 0));
+  }
+  for (VertexId i = 0; i + 3 < fins.positions.size(); i += 2) {
+    fins.triangles.push_back({i, i + 2, i + 3});
+    fins.triangles.push_back({i, i + 3, i + 1});
+  }
+  Options options;
+  options.thickness = 1;
+  options.side = Side::kPositive;
+  options.join = Join::kRound;
+  const double filled = thicken(fins, options).report.volume;
+  options.method = Method::kReconstruct;
+  EXPECT_NEAR(filled, thicken(fins, options).report.volume, 0.01 * filled);
+}
+
 TEST(WorkingSet, FollowsFromTheLimit) {
   constexpr std::size_t kCrossings = 1'000'000, kHeld = std::size_t{50} << 20;
   RunContext context;

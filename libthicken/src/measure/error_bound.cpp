@@ -208,6 +208,8 @@ class ShellProof {
   // Whether ∂H is within `reach` of a point, on the straight line along `way`: some of it is in H, and some
   // not.
   [[nodiscard]] bool endsNear(const Vec3& p, double reach, const Vec3& way) const {
+    // Not as far as S: behind it everything is outside, and a shell that is stuck there has no thickness.
+    reach = std::min(reach, tree_.distance(p) / 2);
     if (reach <= 0) return false;
     const bool inside = isInside(p);
     for (const double at : {1.0, 0.5, 0.25})

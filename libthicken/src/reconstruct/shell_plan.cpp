@@ -44,7 +44,8 @@ double longestEdge(const TriangleMesh& mesh, TriangleId t) {
 // short of the thickness: halfway to another sheet.
 bool endsHalfway(const Job& job, const Vec3& p, const ClosestPoint& c, double reach) {
   if (!(c.distance > 0)) return false;
-  const Vec3 step = reach / c.distance * (p - c.point);
+  // Not as far as S: behind it everything is outside.
+  const Vec3 step = std::min(reach / c.distance, 0.5) * (p - c.point);
   const bool isInside = insideThickened(p, c, job.thickness.at(c));
   const auto differs = [&](const Vec3& q) {
     const ClosestPoint near = *job.tree.closest(q);
