@@ -11,12 +11,12 @@ import numpy as np
 
 from .. import preferences
 from ..drain_holes import drill_step
-from . import macro, messages
+from . import macro
 from .camera import view_of
 from .directions import AXES, direction, direction_box
+from .feature_panel import FeaturePanel
 from .looks import Looks
 from .overlay import over_view, points
-from .panel import Panel
 from .qt import QtCore, QtWidgets, length_box, on_value
 from .run_row import RunRow
 from .view_clicks import ViewClicks
@@ -26,10 +26,8 @@ translate = App.Qt.translate
 _PAUSE_MS = 300
 
 
-class DrainPanel(Panel):
+class DrainPanel(FeaturePanel):
     """Nothing is written before OK. With `feature`, that one is edited."""
-
-    buttons = ("Ok", "Cancel")
 
     def __init__(self, solid: Any, feature: Any = None) -> None:
         self.solid, self.feature = solid, feature
@@ -51,31 +49,7 @@ class DrainPanel(Panel):
     # --- what FreeCAD calls ---
 
     def accept(self) -> bool:
-        """Make or change the feature. Its recompute shows progress and can be stopped."""
-        self._timer.stop()
-        self.abandon()
-        self.document.openTransaction(translate("Thicken", "Drain holes"))
-        try:
-            made = self._make() if self.feature is None else self._change()
-        except Exception as error:  # arguments that make no sense: told here, nothing was made
-            self.document.abortTransaction()
-            self.status.setText(messages.sentences(error))
-            return False
-        if not made.isValid():
-            self.status.setText(made.getStatusString())
-            self.document.abortTransaction()
-            return False
-        self.document.commitTransaction()
-        self.close()
-        if self.feature is not None:
-            Gui.getDocument(self.document.Name).resetEdit()
-        return True
-
-    def reject(self) -> bool:
-        self.close()
-        if self.feature is not None:
-            Gui.getDocument(self.document.Name).resetEdit()
-        return True
+        return self.commit(translate("Thicken", "Drain holes"))
 
     def leave_view(self) -> None:
         self._timer.stop()

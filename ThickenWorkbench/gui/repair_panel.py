@@ -6,13 +6,12 @@ from __future__ import annotations
 from typing import Any
 
 import FreeCAD as App
-import FreeCADGui as Gui
 
 from ..repair_feature import Joins, repair_step, sentences
 from ..sources import surface_arrays
 from . import macro
+from .feature_panel import FeaturePanel
 from .overlay import over_object
-from .panel import Panel
 from .qt import QtCore, QtWidgets, length_box, on_value
 from .repair_marks import key, marks
 from .run_row import RunRow, stopped_text
@@ -22,10 +21,8 @@ translate = App.Qt.translate
 _WAIT_MS = 400  # after the last key before a preview is computed
 
 
-class RepairPanel(Panel):
+class RepairPanel(FeaturePanel):
     """Edits a repair feature, and previews what it will do. Nothing is written before OK."""
-
-    buttons = ("Ok", "Cancel")
 
     def __init__(self, feature: Any) -> None:
         self.feature = feature
@@ -124,11 +121,6 @@ class RepairPanel(Panel):
             return False
         self.document.commitTransaction()
         return self.reject()
-
-    def reject(self) -> bool:
-        self.close()
-        Gui.getDocument(self.document.Name).resetEdit()
-        return True
 
     def leave_view(self) -> None:
         self._timer.stop()

@@ -13,10 +13,10 @@ from .. import preferences
 from ..sources import surface_arrays
 from . import macro, messages
 from .camera import view_of
+from .feature_panel import FeaturePanel
 from .loop_points import LoopPoints
 from .looks import Looks
 from .overlay import lines, over_object, points
-from .panel import Panel
 from .qt import QtWidgets
 from .run_row import RunRow
 
@@ -27,10 +27,8 @@ _POINT, _CURRENT = 9.0, 14.0  # pixels
 _MOST_SMOOTHING = 5
 
 
-class TrimPanel(Panel):
+class TrimPanel(FeaturePanel):
     """Nothing is written before OK. With `feature`, that one is edited."""
-
-    buttons = ("Ok", "Cancel")
 
     def __init__(self, source: Any, feature: Any = None) -> None:
         self.source, self.feature = source, feature
@@ -52,33 +50,10 @@ class TrimPanel(Panel):
     # --- what FreeCAD calls ---
 
     def accept(self) -> bool:
-        """Make or change the feature. Its recompute shows progress and can be stopped."""
         if not self._has_loop():
             self.status.setText(translate("Thicken", "A loop has three points at least. Click on the surface."))
             return False
-        self.abandon()
-        self.document.openTransaction(translate("Thicken", "Trim Surface"))
-        try:
-            made = self._make() if self.feature is None else self._change()
-        except Exception as error:  # arguments that make no sense: told here, nothing was made
-            self.document.abortTransaction()
-            self.status.setText(messages.sentences(error))
-            return False
-        if not made.isValid():
-            self.status.setText(made.getStatusString())
-            self.document.abortTransaction()
-            return False
-        self.document.commitTransaction()
-        self.close()
-        if self.feature is not None:
-            Gui.getDocument(self.document.Name).resetEdit()
-        return True
-
-    def reject(self) -> bool:
-        self.close()
-        if self.feature is not None:
-            Gui.getDocument(self.document.Name).resetEdit()
-        return True
+        return self.commit(translate("Thicken", "Trim Surface"))
 
     def leave_view(self) -> None:
         self._mouse.stop()

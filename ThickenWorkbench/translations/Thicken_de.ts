@@ -108,6 +108,7 @@
     </message>
     <message>
         <source>The longer a bar, the more of the area has this value (square roots)</source>
+        <extracomment>the label that tells why there is none</extracomment>
         <translation>Je länger ein Balken, desto mehr von der Fläche hat diesen Wert (Quadratwurzeln)</translation>
     </message>
     <message>

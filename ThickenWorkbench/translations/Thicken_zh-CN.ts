@@ -108,6 +108,7 @@
     </message>
     <message>
         <source>The longer a bar, the more of the area has this value (square roots)</source>
+        <extracomment>the label that tells why there is none</extracomment>
         <translation>条越长，具有该值的面积越大（平方根）</translation>
     </message>
     <message>

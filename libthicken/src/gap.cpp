@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <span>
 #include <string>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "job/thickness.h"
+#include "measure/measure.h"
 #include "measure/warnings.h"
 #include "mesh/place_text.h"
 #include "mesh/topology.h"
@@ -92,8 +92,7 @@ void dropNear(TriangleMesh& shell, std::span<const double> distance, double leas
   std::erase_if(shell.triangles, [&](const Triangle& t) {
     const auto [a, b, c] = t;
     if (std::min({distance[a], distance[b], distance[c]}) >= least) return false;
-    const Vec3& p = shell.positions[a];
-    leftOut += (shell.positions[b] - p).cross(shell.positions[c] - p).norm() / 2;
+    leftOut += areaOf(shell.positions, t);
     return true;
   });
 }

@@ -34,6 +34,12 @@ struct ThicknessMap {
   }
 };
 
+// Holds the places only where there is a map.
+ThicknessMap mapAt(TriangleMesh places, const Options& options) {
+  if (options.thicknessMap.empty()) return {};
+  return {std::move(places), options.thicknessMap};
+}
+
 // The surface in the coordinates that it will be stored in, not welded yet.
 TriangleMesh stored(TriangleMesh surface, Precision precision) {
   if (precision == Precision::kSingle)
@@ -173,11 +179,10 @@ Solid thickenKnown(const TriangleMesh& input, const Options& options, RunContext
   const int threads = threadCount(options.threads);
   Stopwatch watch;
 
-  const TriangleMesh places = stored(input, options.precision);
-  requireMapOf(places, options);
-  const ThicknessMap map =
-      options.thicknessMap.empty() ? ThicknessMap{} : ThicknessMap{places, options.thicknessMap};
+  requireMapOf(input, options);
+  TriangleMesh places = stored(input, options.precision);
   TriangleMesh given = weld(places, threads);
+  const ThicknessMap map = mapAt(std::move(places), options);
   const SurfaceFacts sizes = sizesOf(given);
   const Forecast predicted = forecast(sizes, options);
   context.enter(Stage::kChecking, 0, progress::kChecked, workFor(sizes, options).check);

@@ -56,13 +56,14 @@ std::vector<std::uint8_t> collapsedIn(const LinkedMesh& links, std::size_t trian
   return isGone;
 }
 
-// Triangles of parts smaller than the tolerance that another part of the boundary has passed.
-std::vector<std::uint8_t> passedBy(const TriangleMesh& solid, std::span<const Region> region, int threads) {
+// Drops parts smaller than the tolerance that another part of the boundary has passed.
+void dropPassed(TriangleMesh& solid, std::vector<Region>& region, std::size_t surfaceVertices, int threads) {
   const Components shells = componentsOf(solid.positions.size(), solid.triangles, threads);
   const std::vector<std::uint8_t> isMisplaced = misplacedShells(solid, region, shells, threads);
-  std::vector<std::uint8_t> is(solid.triangles.size());
-  for (TriangleId t = 0; t < is.size(); ++t) is[t] = isMisplaced[shells.ofTriangle[t]];
-  return is;
+  if (std::ranges::find(isMisplaced, 1) == isMisplaced.end()) return;
+  std::vector<std::uint8_t> isGone(solid.triangles.size());
+  for (TriangleId t = 0; t < isGone.size(); ++t) isGone[t] = isMisplaced[shells.ofTriangle[t]];
+  compact(solid, region, isGone, surfaceVertices);
 }
 
 double worstAspect(const TriangleMesh& solid, std::span<const Region> region) {
@@ -94,7 +95,7 @@ double collapsed(const Job& job, TriangleMesh& solid, std::vector<Region>& regio
   const std::size_t surfaceVertices = job.surface.positions.size();
   compact(solid, region, collapsedIn(links, solid.triangles.size()), surfaceVertices);
   if (job.options.side != Side::kBoth)  // where S is no part of the boundary
-    compact(solid, region, passedBy(solid, region, job.threads), surfaceVertices);
+    dropPassed(solid, region, surfaceVertices, job.threads);
   return collapse.largestDeviation();
 }
 
