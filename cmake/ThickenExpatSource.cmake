@@ -2,7 +2,7 @@
 #
 # Target EXPAT::EXPAT made of Expat's source as a static library, for files that are to run elsewhere.
 # -DFETCHCONTENT_SOURCE_DIR_EXPAT=… names a folder that has the source.
-include(FetchContent)
+include(ThickenStaticSource)
 
 FetchContent_Declare(expat
   URL https://deb.debian.org/debian/pool/main/e/expat/expat_2.5.0.orig.tar.gz
@@ -16,13 +16,7 @@ function(thicken_add_expat)
   endforeach()
   set(EXPAT_SHARED_LIBS OFF)
   set(EXPAT_ENABLE_INSTALL OFF)
-  set(CMAKE_POSITION_INDEPENDENT_CODE ON)
-  set(CMAKE_C_VISIBILITY_PRESET hidden)
-  set(CMAKE_POLICY_DEFAULT_CMP0063 NEW)  # a static library has hidden symbols, too
-  set(CMAKE_POLICY_DEFAULT_CMP0077 NEW)  # what is set here counts before the options that it declares
-  set(CMAKE_POLICY_VERSION_MINIMUM 3.5)
-  FetchContent_Populate(expat)
-  add_subdirectory("${expat_SOURCE_DIR}/expat" "${expat_BINARY_DIR}" EXCLUDE_FROM_ALL)
+  thicken_add_static(expat expat)
   # It sets no folder of headers for those who build it along with them.
   target_include_directories(expat PUBLIC "$<BUILD_INTERFACE:${expat_SOURCE_DIR}/expat/lib>")
   target_compile_definitions(expat PUBLIC XML_STATIC)

@@ -2,7 +2,7 @@
 #
 # Target LibZip::LibZip made of libzip's source as a static library that packs and nothing else: Debian has no
 # static libzip, and other systems none at all. -DFETCHCONTENT_SOURCE_DIR_LIBZIP=… names a folder that has the source.
-include(FetchContent)
+include(ThickenStaticSource)
 
 FetchContent_Declare(libzip
   URL https://deb.debian.org/debian/pool/main/libz/libzip/libzip_1.7.3.orig.tar.xz
@@ -19,14 +19,7 @@ function(thicken_add_libzip)
     set(BUILD_${part} OFF)
   endforeach()
   set(BUILD_SHARED_LIBS OFF)
-  set(CMAKE_POSITION_INDEPENDENT_CODE ON)
-  set(CMAKE_C_VISIBILITY_PRESET hidden)
-  set(CMAKE_POLICY_DEFAULT_CMP0063 NEW)  # a static library has hidden symbols, too
-  set(CMAKE_POLICY_DEFAULT_CMP0077 NEW)  # what is set here counts before the options that it declares
-  set(CMAKE_POLICY_VERSION_MINIMUM 3.5)
-  FetchContent_Populate(libzip)
-  # Nothing of it is installed.
-  add_subdirectory("${libzip_SOURCE_DIR}" "${libzip_BINARY_DIR}" EXCLUDE_FROM_ALL)
+  thicken_add_static(libzip .)
 endfunction()
 thicken_add_libzip()
 
