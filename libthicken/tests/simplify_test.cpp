@@ -176,6 +176,39 @@ TEST(Simplify, TurnsNoSmallCavityInsideOut) {
   EXPECT_LT(volume, -0.4 * 4 / 3 * kPi * std::pow(0.002, 3));
 }
 
+// A wall below a rim that is straight but for a corner: all three corners of its cap are those of S.
+TEST(Simplify, TurnsTheLongestEdgesOfCaps) {
+  TriangleMesh s;
+  s.positions = {{0, 0, 0}, {5, 0, 0.01f}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}};
+  s.triangles = {{0, 1, 4}, {1, 3, 4}, {1, 2, 3}};
+  TriangleMesh solid = s;
+  for (const VertexId v : {0, 2, 3, 4}) solid.positions.push_back(s.positions[v] - Vec3(0, 0, 1));
+  for (const Triangle& t : {Triangle{2, 1, 0},
+                            {2, 0, 5},
+                            {2, 5, 6},
+                            {3, 2, 6},
+                            {3, 6, 7},
+                            {4, 3, 7},
+                            {4, 7, 8},
+                            {0, 4, 8},
+                            {0, 8, 5},
+                            {5, 8, 7},
+                            {5, 7, 6}})
+    solid.triangles.push_back(t);
+  std::vector<Region> region(solid.triangles.size(), Region::kWall);
+  std::fill_n(region.begin(), s.triangles.size(), Region::kOriginal);
+  std::fill_n(region.end() - 2, 2, Region::kShell);
+  const OwnJob own(s, 1);
+  const TriangleMesh before = solid;
+  const SimplifyFacts facts = simplify(own.job, solid, region, Simplify::kAuto);
+  EXPECT_EQ(solid.positions, before.positions);
+  EXPECT_EQ(solid.triangles.size(), before.triangles.size());
+  EXPECT_GT(aspectOf(s.positions[0], s.positions[1], s.positions[2]), 500);
+  EXPECT_LT(facts.worstAspect, kNeedle);
+  LinkedMesh links(solid.positions.size(), solid.triangles, 1);
+  EXPECT_TRUE(links.isClosedManifold());
+}
+
 // Else the progress stands still meanwhile.
 TEST(Simplify, CountsTheEdgesThatItTries) {
   const TriangleMesh s = rounded(plane(40, 10));
@@ -218,6 +251,30 @@ TEST(LinkedMesh, CollapsesAnEdgeAndStaysClosed) {
     linked.starOf(a, before);
     return before.size() + starB.size();
   }());
+}
+
+TEST(LinkedMesh, TurnsEdgesAndStaysClosed) {
+  TriangleMesh mesh = sphere(1, 1);
+  const std::vector<Triangle> before = mesh.triangles;
+  LinkedMesh links(mesh.positions.size(), mesh.triangles, 1);
+  for (TriangleId t = 0; t < mesh.triangles.size(); ++t)
+    if (links.canTurn(t, t % 3)) links.turn(t, t % 3);
+  EXPECT_NE(mesh.triangles, before);
+  EXPECT_TRUE(links.isClosedManifold());
+  std::vector<Triangle> triangles = mesh.triangles;
+  const LinkedMesh fresh(mesh.positions.size(), triangles, 1);
+  EXPECT_TRUE(fresh.isClosedManifold());
+  for (TriangleId t = 0; t < triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k) EXPECT_EQ(links.neighbour(t, k), fresh.neighbour(t, k));
+}
+
+TEST(LinkedMesh, TurnsNoEdgeOfATetrahedron) {
+  TriangleMesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  const LinkedMesh links(mesh.positions.size(), mesh.triangles, 1);
+  for (TriangleId t = 0; t < 4; ++t)
+    for (int k = 0; k < 3; ++k) EXPECT_FALSE(links.canTurn(t, k));
 }
 
 TEST(LinkedMesh, CollapsesNoTetrahedronAndNoNeck) {

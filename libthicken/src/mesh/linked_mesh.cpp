@@ -94,4 +94,40 @@ void LinkedMesh::collapse(VertexId keep, VertexId go, const std::vector<Triangle
   any_[go] = kNone;
 }
 
+std::array<Triangle, 2> LinkedMesh::turned(TriangleId t, int edge) const {
+  const Triangle& own = triangles_[t];
+  const TriangleId other = neighbour_[t][edge];
+  const VertexId from = own[edge], to = own[(edge + 1) % 3], apex = own[(edge + 2) % 3];
+  const VertexId far = triangles_[other][(cornerOf(other, from) + 1) % 3];
+  return {Triangle{from, far, apex}, Triangle{far, to, apex}};
+}
+
+bool LinkedMesh::canTurn(TriangleId t, int edge) const {
+  const std::array<Triangle, 2> after = turned(t, edge);
+  const auto [from, far, apex] = after[0];
+  TriangleId around = any_[apex];
+  do {
+    if (std::ranges::find(triangles_[around], far) != triangles_[around].end()) return false;
+    around = neighbour_[around][cornerOf(around, apex)];
+  } while (around != any_[apex]);
+  constexpr std::size_t kLeast = 4;  // with fewer triangles an end of the edge would be left with two
+  return valence(from, kLeast) >= kLeast && valence(after[1][1], kLeast) >= kLeast;
+}
+
+void LinkedMesh::turn(TriangleId t, int edge) {
+  const TriangleId other = neighbour_[t][edge];
+  const std::array<Triangle, 2> after = turned(t, edge);
+  const int k = cornerOf(other, after[0][0]);
+  const TriangleId beforeApex = neighbour_[t][(edge + 2) % 3], afterTo = neighbour_[t][(edge + 1) % 3];
+  const TriangleId afterFrom = neighbour_[other][k], beforeTo = neighbour_[other][(k + 1) % 3];
+  replaceNeighbour(afterTo, t, other);
+  replaceNeighbour(afterFrom, other, t);
+  triangles_[t] = after[0];
+  triangles_[other] = after[1];
+  neighbour_[t] = {afterFrom, other, beforeApex};
+  neighbour_[other] = {beforeTo, afterTo, t};
+  any_[after[0][0]] = t;
+  any_[after[1][1]] = other;
+}
+
 }  // namespace thicken

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// A closed manifold triangle mesh whose edges can be collapsed. Triangles and vertices keep their ids. A
-// triangle that is gone stays in the list, without extent.
+// A closed manifold triangle mesh whose edges can be collapsed and turned. Triangles and vertices keep their
+// ids. A triangle that is gone stays in the list, without extent.
 #pragma once
 
 #include <array>
@@ -39,6 +39,13 @@ class LinkedMesh {
 
   /// Collapses an edge: its two triangles are gone, and the others of `starOfGo` have `keep` for `go`.
   void collapse(VertexId keep, VertexId go, const std::vector<TriangleId>& starOfGo);
+
+  /// What the two triangles on either side of the edge from corner `edge` of `t` become when it is turned to
+  /// join their other corners: that of `t` first. That corner is the third of both.
+  [[nodiscard]] std::array<Triangle, 2> turned(TriangleId t, int edge) const;
+  /// Whether the mesh stays manifold when that edge is turned: no such edge is there yet.
+  [[nodiscard]] bool canTurn(TriangleId t, int edge) const;
+  void turn(TriangleId t, int edge);
 
  private:
   void replaceNeighbour(TriangleId of, TriangleId from, TriangleId to);

@@ -100,6 +100,7 @@ void Collapse::run() {
     collapseAmong(std::span(order).subspan(begin, std::min(kBlock, order.size() - begin)));
   std::ranges::fill(block_, 0);
   collapseAmong(order);
+  turnCaps();
 }
 
 void Collapse::collapseAmong(std::span<const TriangleId> triangles) {
@@ -168,7 +169,10 @@ bool Collapse::tryEdge(VertexId a, VertexId b) {
   links_.starOf(b, starB_);
   if (starA_.size() + starB_.size() > kMostAround + 4) return false;
   if (!links_.canCollapse(a, b, starA_, starB_)) return false;
-  gatherChanged(a, b);
+  gatherNone();
+  for (const TriangleId t : starA_) gather(t, has(mesh_.triangles[t], b));
+  for (const TriangleId t : starB_)
+    if (!has(mesh_.triangles[t], a)) gather(t, false);
   const bool alongCrease = region_[gone_[0]] != region_[gone_[1]];
   const bool aMay = isRemovable(a, alongCrease), bMay = isRemovable(b, alongCrease);
   const Vec3 pa = mesh_.positions[a], pb = mesh_.positions[b];
@@ -184,30 +188,27 @@ bool Collapse::tryEdge(VertexId a, VertexId b) {
   return !bFirst && bMay && tryAt(a, b, pa, false);
 }
 
-void Collapse::gatherChanged(VertexId a, VertexId b) {
+void Collapse::gatherNone() {
   changed_.clear();
+  gone_.clear();
   facing_ = {Vec3::Zero(), Vec3::Zero()};
   oldAspect_ = volumeBefore_ = 0;
   anyLoose_ = false;
   allLoose_ = true;
-  const auto take = [&](TriangleId t, bool isIn) {
-    const auto [p, q, s] = cornersOf(mesh_.triangles[t]);
-    const Vec3 normal = (q - p).cross(s - p);
-    oldAspect_ = std::max(oldAspect_, aspectOf(p, q, s));
-    volumeBefore_ += volumeBelow(part_[t], mesh_.triangles[t]);
-    anyLoose_ |= targets_.isLoose[t] != 0;
-    allLoose_ &= targets_.isLoose[t] != 0;  // walls always are
-    facing_[region_[t] == Region::kWall] += normal;
-    if (isIn) changed_.push_back({t, mesh_.triangles[t], normal, false});
-  };
-  std::size_t count = 0;
-  for (const TriangleId t : starA_) {
-    const bool goes = has(mesh_.triangles[t], b);
-    if (goes) gone_[count++] = t;
-    take(t, !goes);
-  }
-  for (const TriangleId t : starB_)
-    if (!has(mesh_.triangles[t], a)) take(t, true);
+}
+
+void Collapse::gather(TriangleId t, bool goes) {
+  const auto [p, q, s] = cornersOf(mesh_.triangles[t]);
+  const Vec3 normal = (q - p).cross(s - p);
+  oldAspect_ = std::max(oldAspect_, aspectOf(p, q, s));
+  volumeBefore_ += volumeBelow(part_[t], mesh_.triangles[t]);
+  anyLoose_ |= targets_.isLoose[t] != 0;
+  allLoose_ &= targets_.isLoose[t] != 0;  // walls always are
+  facing_[region_[t] == Region::kWall] += normal;
+  if (goes)
+    gone_.push_back(t);
+  else
+    changed_.push_back({t, mesh_.triangles[t], normal, false});
 }
 
 bool Collapse::tryAt(VertexId keep, VertexId go, const Vec3& place, bool isNew) {
@@ -217,13 +218,17 @@ bool Collapse::tryAt(VertexId keep, VertexId go, const Vec3& place, bool isNew) 
       if (v == go) v = keep;
   }
   const Vec3 old = std::exchange(mesh_.positions[keep], place);
-  if (areWellShaped() && keepsVolume() && coverTargets() && followDefinition(keep, isNew) && areClear(keep) &&
-      areProved()) {
+  if (areRight(keep, isNew)) {
     apply(keep, go);
     return true;
   }
   mesh_.positions[keep] = old;
   return false;
+}
+
+bool Collapse::areRight(VertexId keep, bool isNew) {
+  return areWellShaped() && keepsVolume() && coverTargets() && followDefinition(keep, isNew) &&
+         areClear(keep) && areProved();
 }
 
 // No triangle turns by more than some 70 degrees, is without area, or is a needle among others that are none.
@@ -244,7 +249,7 @@ bool Collapse::areWellShaped() const {
 }
 
 bool Collapse::keepsVolume() {
-  const std::uint32_t part = part_[gone_[0]];
+  const std::uint32_t part = part_[changed_[0].id];
   change_ = -volumeBefore_;
   for (const Changed& c : changed_) change_ += volumeBelow(part, c.corners);
   const double volume = volume_[part] + change_, least = leastVolume_[part];
@@ -279,7 +284,8 @@ bool Collapse::coverTargets() {
     return true;
   };
   // What lost its triangle is the most likely to be left alone.
-  if (!cover(gone_[0], 0) || !cover(gone_[1], 0)) return false;
+  for (const TriangleId t : gone_)
+    if (!cover(t, 0)) return false;
   for (std::size_t j = 0; j < changed_.size(); ++j)
     if (!cover(changed_[j].id, j)) return false;
   return true;
@@ -323,7 +329,7 @@ bool Collapse::areClear(VertexId keep) {
         if (exact::meet(mesh_.positions, fan_[i], fan_[j])) return false;
   boxes_.near(all.low, all.high, near_);
   for (const TriangleId t : near_) {
-    if (t == gone_[0] || t == gone_[1]) continue;
+    if (std::ranges::find(gone_, t) != gone_.end()) continue;
     if (std::ranges::any_of(changed_, [t](const Changed& c) { return c.id == t; })) continue;
     const Bounds own = boundsOf(cornersOf(mesh_.triangles[t]));
     for (std::size_t i = 0; i < changed_.size(); ++i)
@@ -348,6 +354,15 @@ bool Collapse::areProved() const {
 
 void Collapse::apply(VertexId keep, VertexId go) {
   links_.collapse(keep, go, go == edge_[0] ? starA_ : starB_);
+  boxes_.drop(gone_);
+  take();
+  targets_.quadric[keep] += targets_.quadric[go];
+  ++age_[keep];
+  ++age_[go];
+  pushAround(keep);
+}
+
+void Collapse::take() {
   for (const TriangleId t : gone_) targets_.first[t] = ShellTargets::kEnd;
   std::vector<TriangleId> moved;
   for (const Changed& c : changed_) {
@@ -359,14 +374,9 @@ void Collapse::apply(VertexId keep, VertexId go) {
     std::uint32_t& first = targets_.first[changed_[m.to].id];
     targets_.targets[m.target].next = std::exchange(first, m.target);
   }
-  targets_.quadric[keep] += targets_.quadric[go];
-  volume_[part_[gone_[0]]] += change_;
+  volume_[part_[moved[0]]] += change_;
   largest_ = std::max(largest_, std::sqrt(farthest_));
-  boxes_.drop(gone_);
   boxes_.refit(mesh_.positions, mesh_.triangles, moved);
-  ++age_[keep];
-  ++age_[go];
-  pushAround(keep);
 }
 
 }  // namespace thicken::simplifying

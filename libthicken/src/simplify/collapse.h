@@ -64,7 +64,9 @@ class Collapse {
   bool tryEdge(VertexId a, VertexId b);
   [[nodiscard]] double volumeBelow(std::uint32_t part, const Triangle& t) const;
   bool tryAt(VertexId keep, VertexId go, const Vec3& place, bool isNew);
-  void gatherChanged(VertexId a, VertexId b);
+  void gatherNone();
+  void gather(TriangleId t, bool goes);
+  [[nodiscard]] bool areRight(VertexId keep, bool isNew);
   [[nodiscard]] bool areWellShaped() const;
   [[nodiscard]] bool keepsVolume();
   [[nodiscard]] bool coverTargets();
@@ -72,6 +74,9 @@ class Collapse {
   [[nodiscard]] bool areClear(VertexId keep);
   [[nodiscard]] bool areProved() const;
   void apply(VertexId keep, VertexId go);
+  void take();
+  void turnCaps();
+  void turnEdge(TriangleId t);
 
   [[nodiscard]] double costOf(double quadric, double length2) const;
   [[nodiscard]] std::array<Vec3, 3> cornersOf(const Triangle& t) const {
@@ -98,10 +103,10 @@ class Collapse {
   std::vector<std::uint32_t> part_;           // per triangle: the part of the boundary that it belongs to
   std::vector<double> volume_, leastVolume_;  // per part: six times its signed volume, mm³
   std::vector<Vec3> apex_;                    // per part: a place on it, from where volumes are measured
-  // Of the collapse that is tried:
+  // Of the collapse, or the turn of an edge, that is tried:
   std::array<VertexId, 2> edge_{};
-  std::array<TriangleId, 2> gone_{};
   std::vector<TriangleId> starA_, starB_;
+  std::vector<TriangleId> gone_;  // of both stars: those that go with the edge
   std::vector<Changed> changed_;
   std::array<Vec3, 2> facing_;  // sum of the normals of the shell's triangles, and of the wall's
   double oldAspect_ = 0;
