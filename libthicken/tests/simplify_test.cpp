@@ -90,7 +90,7 @@ TEST(Simplify, NeedsOfACylinderWhatTheSagittaSays) {
 }
 
 TEST(Simplify, KeepsAToleranceProved) {
-  const TriangleMesh s = rounded(cylinderPatch(32, 10, kPi / 4, 5));
+  const TriangleMesh s = rounded(cylinderPatch(16, 10, kPi / 4, 5));
   Options asked = options(1, Simplify::kShell);
   asked.tolerance = 0.02;
   const Solid on = thicken(s, asked);
