@@ -30,6 +30,7 @@ class Closer {
 
   InWindows run() {
     windows_ = windowsOf(job_, holes_, task_.width);
+    if (!task_.meetingIn) job_.watch.lap("plan");
     outcomes_.resize(windows_.size());
     closeEach();
     for (double times = kWider;; times = kAll) {

@@ -76,7 +76,7 @@ class WindowMaker {
         mesh_(holes.carried.mesh),
         beyondContour_(beyondContour),
         reach_(reach),
-        boxes_(mesh_.positions, mesh_.triangles, threads),
+        boxes_(mesh_.positions, mesh_.triangles, threads, {}, holes.carried.order),
         around_(vertexTriangles(mesh_.positions.size(), mesh_.triangles, threads)),
         number_(mesh_.positions.size(), kNone),
         in_(mesh_.triangles.size(), 0) {}
