@@ -99,7 +99,9 @@ TEST(Thickness, IsNowhereSteeperThanItMayBe) {
   EXPECT_LE(steepest, kSteepest * (1 + 1e-6));
   EXPECT_GT(steepest, 0.99 * kSteepest);
   for (VertexId v = 0; v < sheet.positions.size(); ++v)
-    if (sheet.positions[v].x() < 10) EXPECT_EQ(thickness.at(v), 1);
+    if (sheet.positions[v].x() < 10) {
+      EXPECT_EQ(thickness.at(v), 1);
+    }
   EXPECT_EQ(thickness.most(), 20) << "far enough from the step";
 }
 
