@@ -45,10 +45,9 @@ TEST(ParallelFor, MayBeCalledWithinAnotherAndFromSeveralThreadsAtATime) {
       parallelFor(100, 3, RunContext(), 1, [&](std::size_t k) { sum += 100 * i + k; });
     });
   };
-  {
-    std::vector<std::jthread> callers;
-    for (int i = 0; i < 4; ++i) callers.emplace_back(nested);
-  }
+  std::vector<std::thread> callers;
+  for (int i = 0; i < 4; ++i) callers.emplace_back(nested);
+  for (std::thread& caller : callers) caller.join();
   EXPECT_EQ(sum, 4u * 2000 * 1999 / 2);
 }
 

@@ -10,7 +10,7 @@ endfunction()
 file(REMOVE_RECURSE "${WORK}/prefix" "${WORK}/build" "${WORK}/out.stl")
 run("${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${WORK}/prefix" --config "${CONFIG}")
 run("${CMAKE_COMMAND}" -S "${SOURCE}/examples/cpp" -B "${WORK}/build" -G "${GENERATOR}"
-    "-DCMAKE_BUILD_TYPE=${CONFIG}" "-DCMAKE_CXX_COMPILER=${COMPILER}"
+    "-DCMAKE_BUILD_TYPE=${CONFIG}" "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_CXX_FLAGS=${FLAGS}"
     "-DCMAKE_PREFIX_PATH=${WORK}/prefix")
 run("${CMAKE_COMMAND}" --build "${WORK}/build" --config "${CONFIG}")
 run("${WORK}/build/thicken_example" "${SOURCE}/examples/data/femur.ply" "${WORK}/out.stl" 2)
