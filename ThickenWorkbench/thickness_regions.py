@@ -43,30 +43,43 @@ class ThicknessField:
 
     def __init__(self, feature: Any, surface: tuple[NDArray, NDArray]) -> None:
         """Raises RefusedError for a region that is not on the surface any more."""
-        self._thicknesses = list(feature.RegionThickness)
-        self.notes: list[str] = []  #: what is to be known of the regions
-        #: for each region its triangles of the surface
-        with runs.refusing(feature.Source):
-            self.facets = [self._found(k, chosen, surface) for k, chosen in enumerate(_corners_of(feature))]
-        self._weights = region_weights(*surface, self.facets, feature.Transition.Value) if self.facets else None
+        found = regions_on(feature, surface)
+        helps = translate("Thicken", "Paint the region again, or remove it.")
+        for region in found:
+            if region.share < _LEAST_SHARE:
+                raise RefusedError(f"{region.loss()} {helps}")
+        self.notes = [region.loss() for region in found if region.loss()]  #: what is to be known of the regions
+        self._lengths = [region.thickness for region in found]
+        facets = [region.facets for region in found]
+        self._weights = region_weights(*surface, facets, feature.Transition.Value) if found else None
 
     def values(self, base: float) -> NDArray[np.float64] | float:
         """The thickness at each vertex where it is `base` beside the regions; without any `base` itself."""
-        return base if self._weights is None else blended(base, self._thicknesses, self._weights)
+        return base if self._weights is None else blended(base, self._lengths, self._weights)
 
-    def _found(self, k: int, chosen: NDArray, surface: tuple[NDArray, NDArray]) -> NDArray[np.int64]:
-        facets, share = found_again(chosen, *surface)
-        words = {"number": k + 1, "thickness": number(self._thicknesses[k]), "share": percent(share)}
-        if share < _LEAST_SHARE:
-            text = translate(
-                "Thicken",
-                "Only {share} of thickness region {number} ({thickness} mm) is on the surface, which has changed. Paint the region again, or remove it.",
-            )
-            raise RefusedError(text.format(**words))
-        if share < 1 - _MOST_LOSS:
-            text = translate("Thicken", "Only {share} of thickness region {number} ({thickness} mm) is on the surface.")
-            self.notes.append(text.format(**words))
-        return facets
+
+class FoundRegion(NamedTuple):
+    """What is on a surface of a region."""
+
+    number: int  #: counted from 1
+    facets: NDArray[np.int64]  #: of the surface
+    thickness: float  #: mm
+    share: float  #: of the area that was painted
+
+    def loss(self) -> str:
+        """A sentence about what is not there; no text where all of it is."""
+        if self.share >= 1 - _MOST_LOSS:
+            return ""
+        text = translate("Thicken", "Only {share} of thickness region {number} ({thickness} mm) is on the surface, which has changed.")
+        return text.format(share=percent(self.share), number=self.number, thickness=number(self.thickness))
+
+
+def regions_on(feature: Any, surface: tuple[NDArray, NDArray]) -> list[FoundRegion]:
+    """What is on `surface` of each region of a Thicken feature."""
+    painted = zip(_corners_of(feature), feature.RegionThickness)
+    with runs.refusing(feature.Source):
+        found = [(found_again(chosen, *surface), mm) for chosen, mm in painted]
+    return [FoundRegion(k + 1, each.facets, mm, each.share) for k, (each, mm) in enumerate(found)]
 
 
 def set_thickness_regions(feature: Any, regions: Iterable[tuple[Iterable[int], Any]], transition: Any = None) -> None:
@@ -77,7 +90,7 @@ def set_thickness_regions(feature: Any, regions: Iterable[tuple[Iterable[int], A
     a region the thickness is the same everywhere. ValueError for what makes no sense, which changes nothing.
     """
     vertices, triangles = _surface_of(feature)
-    numbers = _numbers(feature, len(triangles))
+    numbers = facet_numbers(feature, len(triangles))
     corners, lengths = [], []
     for facets, thickness in regions:
         chosen = np.unique(np.fromiter(facets, np.int64))
@@ -87,11 +100,11 @@ def set_thickness_regions(feature: Any, regions: Iterable[tuple[Iterable[int], A
             raise ValueError(f"region {len(corners) + 1}: {wrong}")
         corners.append(np.asarray(vertices, float)[np.asarray(triangles)[at]])
         lengths.append(_length("thickness", thickness))
-        if not lengths[-1] > 0:
+        if not 0 < lengths[-1] < np.inf:
             raise ValueError(f"the thickness of region {len(corners)} must be above 0 mm, not {thickness}")
     if transition is not None:
         width = _length("transition", transition)
-        if not width >= 0:
+        if not 0 <= width < np.inf:
             raise ValueError(f"transition must be 0 mm or more, not {transition}")
         feature.Transition = width
     feature.RegionThickness = lengths
@@ -100,11 +113,10 @@ def set_thickness_regions(feature: Any, regions: Iterable[tuple[Iterable[int], A
 
 
 def thickness_regions(feature: Any) -> list[ThicknessRegion]:
-    """The regions of a Thicken feature as they are on its source now. Raises RefusedError where one is not there any more."""
+    """The regions of a Thicken feature as they are on its source now."""
     surface = _surface_of(feature)
-    numbers = _numbers(feature, len(surface[1]))
-    found = ThicknessField(feature, surface).facets
-    return [ThicknessRegion(numbers[facets].tolist(), mm) for facets, mm in zip(found, feature.RegionThickness)]
+    numbers = facet_numbers(feature, len(surface[1]))
+    return [ThicknessRegion(numbers[region.facets].tolist(), region.thickness) for region in regions_on(feature, surface)]
 
 
 def facets_near(feature: Any, places: Sequence[ArrayLike], radius: float) -> list[int]:
@@ -117,7 +129,7 @@ def facets_near(feature: Any, places: Sequence[ArrayLike], radius: float) -> lis
     to_source = feature.Source.getGlobalPlacement().inverse()
     painted = [brush.around(tuple(to_source.multVec(App.Vector(*place))), radius) for place in places]
     facets = np.unique(np.concatenate(painted)) if painted else np.empty(0, np.int64)
-    return [int(facet) for facet in _numbers(feature, len(surface[1]))[facets]]
+    return [int(facet) for facet in facet_numbers(feature, len(surface[1]))[facets]]
 
 
 def _surface_of(feature: Any) -> tuple[NDArray, NDArray]:
@@ -126,7 +138,7 @@ def _surface_of(feature: Any) -> tuple[NDArray, NDArray]:
     return surface_of(feature)
 
 
-def _numbers(feature: Any, count: int) -> NDArray[np.int64]:
+def facet_numbers(feature: Any, count: int) -> NDArray[np.int64]:
     """The facet of the source that each of the `count` triangles is which `feature` thickens; ascending."""
     chosen = np.unique(np.asarray(feature.Facets, np.int64)) if kind_of(feature.Source) == "mesh" else ()
     return np.asarray(chosen) if len(chosen) else np.arange(count)

@@ -59,6 +59,14 @@ class ClosedByAMacro(GuiCase):
         self.assert_nothing_is_left(panel, solid)
         self.assertEqual(painted(solid.ViewObject), before)
 
+    def test_thickness_regions(self):
+        solid = self.hollow()
+        self.select(solid)
+        panel = self.run_command("Thicken_Regions")
+        self.assertFalse(solid.ViewObject.Visibility)
+        self.assert_nothing_is_left(panel, solid)
+        self.assertEqual(list(solid.RegionThickness), [])
+
     def test_report_and_check_while_they_compute(self):
         solid = self.hollow()
         for command in ("Thicken_Report", "Thicken_Check"):
@@ -181,7 +189,7 @@ class Narrow(GuiCase):
         self.addCleanup(Gui.setLocale, "English")
         for language in ("English", "German", "Chinese Simplified"):
             Gui.setLocale(language)
-            for command, target in (("Make", cube), ("Check", cube), ("Map", solid), ("Drain", solid), ("Report", solid)):
+            for command, target in (("Make", cube), ("Check", cube), ("Map", solid), ("Drain", solid), ("Report", solid), ("Regions", solid)):
                 with self.subTest(f"{language}, {command}"):
                     self.select(target)
                     panel = self.run_command(f"Thicken_{command}")

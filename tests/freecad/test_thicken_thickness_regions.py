@@ -183,7 +183,7 @@ class Changed(RegionsCase):
         part.Points = [App.Vector(*point) for point in [(-5.3, -9, 0), *loop[1:3], (-5.3, 9, 0)]]
         self.doc.recompute()
         self.assert_solid(feature)
-        self.assertIn("Only 58 % of thickness region 1 (3 mm) is on the surface.", feature.Warnings)
+        self.assertIn("Only 58 % of thickness region 1 (3 mm) is on the surface, which has changed.", feature.Warnings)
         self.assertAlmostEqual(feature.Volume.Value, 18 * (2.3 * 3 + 2 * 2 + 10), delta=3)
         part.Points = [App.Vector(*point) for point in [(-3.3, -9, 0), *loop[1:3], (-3.3, 9, 0)]]
         self.doc.recompute()
