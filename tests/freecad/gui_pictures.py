@@ -100,7 +100,7 @@ class Tutorial(GuiCase):
 
     def on_shaft(self, x, z):
         """The pixel of a place on the front of the bone's shaft, from the middle of the patch, mm."""
-        return Gui.activeDocument().activeView().getPointOnScreen(App.Vector(121.5 + x, 0, -165 + z))
+        return Gui.activeDocument().activeView().getPointOnScreen(App.Vector(122 + x, 0, -165 + z))
 
     def trimmed(self, scan):
         """Clicks eight points of an ellipse, and the first once more."""
@@ -108,7 +108,7 @@ class Tutorial(GuiCase):
         panel = self.run_command("Thicken_Trim")
         wait_until(lambda: panel.paths is not None, "the surface is prepared")
         for turn in range(0, 361, 45):
-            self.click_view(self.on_shaft(11 * math.cos(math.radians(turn)), 34 * math.sin(math.radians(turn))))
+            self.click_view(self.on_shaft(10 * math.cos(math.radians(turn)), 30 * math.sin(math.radians(turn))))
         self.assertEqual(len(panel.points), 8)
         self.assertTrue(self.child(panel, "Closed").isChecked())
         self.child(panel, "Smooth").setValue(2)
@@ -127,7 +127,9 @@ class Tutorial(GuiCase):
         (scan,) = self.doc.Objects
         scan.Label = "bone"
         self.show(view="Front")
-        self.select(self.trimmed(scan))
+        trimmed = self.trimmed(scan)
+        self.from_aside()
+        self.select(trimmed)
         panel = self.run_command("Thicken_Make")
         type_text(self.child(panel, "Thickness"), "3 mm")
         type_text(self.child(panel, "Gap"), "0.5 mm")
@@ -136,6 +138,7 @@ class Tutorial(GuiCase):
         self.picture("gap")
         self.ok()
         part = self.made("Thicken")
+        self.show(view="Front")
         self.select(part)
         panel = self.run_command("Thicken_Regions")
         wait_until(lambda: panel.values is not None, "the surface is coloured")
@@ -145,17 +148,19 @@ class Tutorial(GuiCase):
         wait_until(lambda: not panel._timer.isActive() and panel._job is None, "the field is there")
         self.picture("thicker")
         self.ok()
-        self.assertGreater(part.Volume.Value, 0)
+        self.assertTrue(part.Valid, part.getStatusString())
+        self.from_aside()
         self.select(part)
         panel = self.run_command("Thicken_Map")
         wait_until(lambda: panel.map is not None, "the map is there")
+        self.picture("thicker-map")
         self.close()
         scan.ViewObject.Visibility = True
         self.from_aside()
         self.picture("fits")
 
     def from_aside(self):
-        Gui.activeDocument().activeView().viewIsometric()
+        Gui.activeDocument().activeView().setCameraOrientation(App.Rotation(-25, 0, 80))
         Gui.SendMsgToActiveView("ViewFit")
         Gui.Selection.clearSelection()
         process_events()

@@ -205,6 +205,19 @@ class Narrow(GuiCase):
                     self.assertLessEqual(width, 236)
 
 
+    def test_long_words_squeeze_no_field(self):
+        self.select(self.add_mesh(plate()))
+        panel = self.run_command("Thicken_Make")
+        wait_until(lambda: not panel._preview.busy(), "the preview is there")
+        before = [self.child(panel, name).height() for name in ("Thickness", "Gap", "Side", "Flip")]
+        panel.form_parts.tell("The solid is thinner than asked in places. " * 12)
+        label = self.child(panel, "Status")
+        wait_until(lambda: label.height() >= label.heightForWidth(label.width()), "all words are seen")
+        self.assertEqual([self.child(panel, name).height() for name in ("Thickness", "Gap", "Side", "Flip")], before)
+        self.press("Cancel")
+        self.wait_closed()
+
+
 class Dark(GuiCase):
     """FreeCAD's dark style sheets change colours, not palettes' grounds."""
 
