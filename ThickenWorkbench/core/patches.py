@@ -54,15 +54,13 @@ class Brush:
 
     def facet_at(self, place: ArrayLike) -> int:
         """The facet that is nearest to a place."""
-        away = np.linalg.norm(self._middles - place, axis=1)
-        # No other can be nearer than the one with the nearest middle.
-        candidates = np.flatnonzero(away - self._reach <= away.min())
-        return int(candidates[np.argmin(_distances(np.asarray(place, float), self._corners[candidates]))])
+        return self._nearest(place, self._away(place))
 
     def around(self, place: ArrayLike, radius: float) -> NDArray[np.int64]:
         """The facet at a place, and those connected with it whose middles are within `radius` of the place; ascending."""
-        facet = self.facet_at(place)
-        within = np.linalg.norm(self._middles - place, axis=1) <= radius
+        away = self._away(place)
+        facet = self._nearest(place, away)
+        within = away <= radius
         within[facet] = True
         pairs = self._pairs[within[self._pairs].all(axis=1)]
         reached = np.zeros(len(within), bool)
@@ -70,6 +68,16 @@ class Brush:
         while len(front := pairs[reached[pairs[:, 0]] != reached[pairs[:, 1]]]):
             reached[front] = True
         return np.flatnonzero(reached)
+
+    def _away(self, place: ArrayLike) -> NDArray[np.float64]:
+        """From a place to the middle of each facet."""
+        offset = self._middles - place
+        return np.sqrt(np.einsum("ij,ij->i", offset, offset))
+
+    def _nearest(self, place: ArrayLike, away: NDArray) -> int:
+        # A facet cannot be nearer than its middle less its reach, and the nearest is no farther than the nearest middle.
+        candidates = np.flatnonzero(away - self._reach <= away.min())
+        return int(candidates[np.argmin(_distances(np.asarray(place, float), self._corners[candidates]))])
 
 
 def _distances(point: NDArray, corners: NDArray) -> NDArray[np.float64]:

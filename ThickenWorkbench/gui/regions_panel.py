@@ -17,7 +17,7 @@ from ..thickness_regions import facet_numbers, regions_on
 from . import macro
 from .brush_strokes import BrushStrokes
 from .camera import view_of
-from .colour_scale import colours
+from .colour_scale import UNKNOWN, colours
 from .feature_inputs import in_mm
 from .feature_panel import FeaturePanel
 from .legend import Legend
@@ -57,7 +57,12 @@ class RegionsPanel(FeaturePanel):
         self._losses = [region.loss() for region in found if region.loss()]
         self._brush = Brush(*self._surface)
         self._field_node: Any = None
-        self._fresh = np.zeros(len(self.region_of), bool)  # painted since the field was computed
+        # since the field was computed
+        self._painted = np.zeros(len(self.region_of), bool)
+        self._removed = np.zeros(len(self.region_of), bool)
+        corners = np.asarray(self._surface[0], float)[self._surface[1]]
+        self._areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
+        self._outlines: list[Any] = []
         self._timer = QtCore.QTimer()
         self._timer.setSingleShot(True)
         self._timer.timeout.connect(self._compute)
@@ -96,7 +101,7 @@ class RegionsPanel(FeaturePanel):
             if removes:
                 below = below[self.region_of[below] == self._current()]
             self.region_of[below] = _NONE if removes else self._current()
-            self._fresh[below] = not removes
+            self._painted[below], self._removed[below] = not removes, removes
         self._draw()
 
     def stroke_ended(self) -> None:
@@ -178,13 +183,11 @@ class RegionsPanel(FeaturePanel):
 
     def _list_regions(self, current: int) -> None:
         """Show the regions with their thickness and area, and choose one."""
-        corners = np.asarray(self._surface[0], float)[self._surface[1]]
-        areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
         text = translate("Thicken", "{number}: {thickness} mm on {area} mm²")
         self.list.blockSignals(True)
         self.list.clear()
         for k, length in enumerate(self.lengths):
-            area = areas[self.region_of == k].sum()
+            area = self._areas[self.region_of == k].sum()
             self.list.addItem(text.format(number=k + 1, thickness=number(length), area=number(area)))
         self.list.setCurrentRow(current)
         self.list.blockSignals(False)
@@ -197,6 +200,7 @@ class RegionsPanel(FeaturePanel):
         if there and float(self.thickness.property("rawValue")) != self.lengths[self._current()]:
             self.thickness.setProperty("rawValue", float(self.lengths[self._current()]))
         self._tell()
+        self._outline_all()
         self._draw()
 
     def _tell(self, problem: str = "") -> None:
@@ -228,7 +232,7 @@ class RegionsPanel(FeaturePanel):
 
     def _computed(self, values: np.ndarray) -> None:
         self.values = values
-        self._fresh[:] = False
+        self._painted[:] = self._removed[:] = False
         low, high = around(self.base, values)
         self.legend.show_shares(*area_shares(*self._surface, values[self._surface[1]].mean(axis=1), low, high))
         self._field_node = coloured_faces(*self._surface, colours(values, low, high))
@@ -236,17 +240,23 @@ class RegionsPanel(FeaturePanel):
         self._draw()
 
     def _draw(self) -> None:
-        """The field as it was computed last, what has been painted since, and the outlines of the regions."""
+        """The field as it was computed last, what strokes have changed since, and the outlines of the regions."""
         nodes = [] if self._field_node is None else [self._field_node]
         vertices, triangles = self._surface
-        if self._fresh.any():
-            nodes.append(faces(vertices, triangles[self._fresh], preferences.colour("ColorShell")))
+        for changed, colour in ((self._painted, preferences.colour("ColorShell")), (self._removed, UNKNOWN)):
+            if changed.any():
+                nodes.append(faces(vertices, triangles[changed], colour))
+        self._overlay.show(*nodes, *self._outlines)
+
+    def _outline_all(self) -> None:
+        """Outline the regions as they are now: too slow for every step of a stroke."""
+        vertices, triangles = self._surface
+        self._outlines = []
         for k in range(len(self.lengths)):
             outline = _outline(triangles[self.region_of == k])
-            width = _CURRENT_LINE if k == self._current() else _LINE
             if len(outline):
-                nodes.append(lines(np.asarray(vertices, float)[outline], _OUTLINE, width))
-        self._overlay.show(*nodes)
+                width = _CURRENT_LINE if k == self._current() else _LINE
+                self._outlines.append(lines(np.asarray(vertices, float)[outline], _OUTLINE, width))
 
     def _change(self) -> Any:
         numbers = facet_numbers(self.feature, len(self.region_of))
