@@ -22,6 +22,7 @@ from .sources import RefusedError, kind_of
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+_ORIGINAL = 0  # Region.ORIGINAL
 _SHELL = 1  # Region.SHELL
 _WALL = 2  # Region.WALL
 _BINS = 32
@@ -110,21 +111,24 @@ def _deviation(feature: Any, vertices: NDArray, triangles: NDArray) -> runs.Step
     shell = np.flatnonzero(regions == _SHELL)
     extension, surface = native.load(), surface_of(feature)
     asked = ThicknessField(feature, surface).values(feature.Thickness.Value)
+    # With a gap, or once it is repaired, the surface that was thickened is another than the source's.
+    own = regions == _ORIGINAL
+    thickened = (vertices, triangles[own]) if own.any() else surface
 
     def step(context: Any) -> NDArray:
-        closest = extension.closest_points(*surface, vertices[triangles[shell]].mean(axis=1), context=context)
+        middles = vertices[triangles[shell]].mean(axis=1)
+        closest = extension.closest_points(*thickened, middles, context=context)
         measured = closest["on_rim"] == 0  # beyond the rim the shell is wall, whatever it is called
+        wanted = asked if not np.ndim(asked) else _at_points(asked, surface, extension.closest_points(*surface, middles, context=context))
         values = np.full(len(triangles), np.nan)
-        values[shell[measured]] = (closest["distance"] - _at_points(asked, surface, closest))[measured]
+        values[shell[measured]] = (closest["distance"] - wanted)[measured]
         return values
 
     return step
 
 
-def _at_points(values: Any, surface: tuple[NDArray, NDArray], closest: dict[str, NDArray]) -> Any:
-    """What a number for each vertex of a surface is at points of it; a single number as it is."""
-    if not np.ndim(values):
-        return values
+def _at_points(values: NDArray, surface: tuple[NDArray, NDArray], closest: dict[str, NDArray]) -> NDArray[np.float64]:
+    """What a number for each vertex of a surface is at points of it."""
     corners = np.asarray(surface[1])[closest["triangle"]]
     a, b, c = np.asarray(surface[0], float)[corners].transpose(1, 0, 2)
     point = closest["point"]

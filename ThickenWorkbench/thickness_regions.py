@@ -46,6 +46,8 @@ class ThicknessField:
         found = regions_on(feature, surface)
         helps = translate("Thicken", "Paint the region again, or remove it.")
         for region in found:
+            if not region.thickness > 0:
+                raise RefusedError(f"The thickness of region {region.number} is {region.thickness:g} mm. Set it to more than 0 mm.")
             if region.share < _LEAST_SHARE:
                 raise RefusedError(f"{region.loss()} {helps}")
         self.notes = [region.loss() for region in found if region.loss()]  #: what is to be known of the regions
@@ -152,9 +154,6 @@ def _corners_of(feature: Any) -> list[NDArray]:
         raise RefusedError(
             f"RegionThickness has {len(lengths)} lengths, and there are {len(sizes)} thickness regions. Paint them again."
         )
-    for k, length in enumerate(lengths):
-        if not length > 0:
-            raise RefusedError(f"The thickness of region {k + 1} is {length:g} mm. Set it to more than 0 mm.")
     return np.split(corners.reshape(-1, 3, 3), np.cumsum(sizes)[:-1]) if sizes else []
 
 

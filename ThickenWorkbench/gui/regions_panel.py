@@ -13,6 +13,7 @@ from .. import build, preferences
 from ..core.patches import Brush
 from ..core.thickness_field import blended, region_weights
 from ..numbers import number
+from ..sources import RefusedError
 from ..thickness_regions import facet_numbers, regions_on
 from . import macro
 from .brush_strokes import BrushStrokes
@@ -47,14 +48,14 @@ class RegionsPanel(FeaturePanel):
         self.objects = [self.source, feature]
         self._surface = build.surface_of(feature)
         self.base = feature.Thickness.Value
-        found = regions_on(feature, self._surface)
+        found, problem = self._found()
         #: the region of each facet
         self.region_of = np.full(len(self._surface[1]), _NONE)
         for k, region in enumerate(found):
             self.region_of[region.facets] = k
         self.lengths = [region.thickness for region in found]  #: of the regions, mm
         self.values: Any = None  #: the thickness at each vertex, once it is there
-        self._losses = [region.loss() for region in found if region.loss()]
+        self._losses = [text for text in (problem, *(region.loss() for region in found)) if text]
         self._brush = Brush(*self._surface)
         self._field_node: Any = None
         # since the field was computed
@@ -109,6 +110,13 @@ class RegionsPanel(FeaturePanel):
         self._later()
 
     # --- within ---
+
+    def _found(self) -> tuple[list[Any], str]:
+        """The regions of the feature, or none and why: here they can be painted again."""
+        try:
+            return regions_on(self.feature, self._surface), ""
+        except RefusedError as error:
+            return [], str(error)
 
     def _build(self) -> None:
         self.form = QtWidgets.QWidget()
@@ -259,6 +267,9 @@ class RegionsPanel(FeaturePanel):
                 self._outlines.append(lines(np.asarray(vertices, float)[outline], _OUTLINE, width))
 
     def _change(self) -> Any:
+        now = build.surface_of(self.feature)
+        if not all(np.array_equal(before, after) for before, after in zip(self._surface, now)):
+            raise RefusedError(translate("Thicken", "The surface has changed since the panel was opened. Open it again."))
         numbers = facet_numbers(self.feature, len(self.region_of))
         regions = [(numbers[facets].tolist(), in_mm(length)) for facets, length in self._regions()]
         transition = in_mm(float(self.transition.property("rawValue")))

@@ -1015,6 +1015,10 @@
         <extracomment>mm</extracomment>
         <translation>Bitte den Bereich neu malen oder entfernen.</translation>
     </message>
+    <message>
+        <source>The surface has changed since the panel was opened. Open it again.</source>
+        <translation>Die Fläche hat sich geändert, seit die Aufgabe geöffnet wurde. Bitte neu öffnen.</translation>
+    </message>
 </context>
 <context>
     <name>ThickenPreferences</name>

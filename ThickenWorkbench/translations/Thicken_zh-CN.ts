@@ -1015,6 +1015,10 @@
         <extracomment>mm</extracomment>
         <translation>请重新涂绘该区域，或将其移除。</translation>
     </message>
+    <message>
+        <source>The surface has changed since the panel was opened. Open it again.</source>
+        <translation>打开面板后曲面已更改。请重新打开面板。</translation>
+    </message>
 </context>
 <context>
     <name>ThickenPreferences</name>

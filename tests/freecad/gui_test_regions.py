@@ -136,6 +136,32 @@ class Painting(GuiCase):
         self.wait_closed()
         self.assertTrue(self.solid.Valid)
 
+    def test_properties_that_do_not_fit_are_told_and_painted_anew(self):
+        panel = self.open_panel()
+        self.stroke(panel, (-3, 0), (3, 0))
+        self.press("Ok")
+        self.wait_closed()
+        self.solid.RegionThickness = [2, 3]
+        self.doc.recompute()
+        panel = self.reopen()
+        self.assertIn("RegionThickness has 2", self.child(panel, "Status").text())
+        self.stroke(panel, (-3, 2), (3, 2))
+        self.press("Ok")
+        self.wait_closed()
+        self.assertEqual(list(self.solid.RegionThickness), [1.5])
+        self.assertTrue(self.solid.Valid)
+
+    def test_a_surface_that_changes_meanwhile_is_told(self):
+        panel = self.open_panel()
+        self.stroke(panel, (-3, 0), (3, 0))
+        vertices, triangles = plate(n=41)
+        self.scan.Mesh = mesh_io.mesh_from_arrays(vertices, triangles[::-1])
+        self.press("Ok")
+        self.assertIn("has changed since", self.child(panel, "Status").text())
+        self.press("Cancel")
+        self.wait_closed()
+        self.assertEqual(list(self.solid.RegionThickness), [])
+
     def test_the_thicken_panel_previews_and_keeps_the_regions(self):
         panel = self.open_panel()
         self.stroke(panel, (-3, 0), (3, 0))
