@@ -248,6 +248,7 @@ class ThickenPanel(Panel):
         lines = [translate("Thicken", "Preview: {numbers}.").format(numbers=messages.numbers(s)) for s in solids]
         self._show_forecast(translate("Thicken", "OK makes this solid at once."))
         lines += [messages.warning(w) for s in solids for w in s.report["warnings"]]
+        lines += self._field.notes if self._field is not None else []
         self.form_parts.tell("\n".join(lines))
 
     def _advice(self, error: BaseException) -> str:

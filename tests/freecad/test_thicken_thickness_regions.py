@@ -9,7 +9,7 @@ import ThickenWorkbench
 from ThickenWorkbench import mesh_io
 from ThickenWorkbench.core.found_again import found_again
 from thicken_case import DocumentCase
-from thicken_surfaces import grid, plate, saddle, together
+from thicken_surfaces import crossing_plates, grid, plate, saddle, together
 
 
 def moved(surface, by):
@@ -48,6 +48,17 @@ class ThicknessRegions(RegionsCase):
                 self.assert_solid(feature)
                 self.painted(feature, [])
                 self.assert_solid(feature)
+
+    def test_of_a_surface_that_is_repaired_first_and_with_a_gap(self):
+        feature = self.thickened(crossing_plates(), repair=True)
+        before = feature.Volume.Value
+        near = ThickenWorkbench.facets_near(feature, [(6, 6, 0)], 2)
+        self.painted(feature, [(near, 2)], 2)
+        self.assert_solid(feature)
+        self.assertGreater(feature.Volume.Value, before + 10)
+        spaced = self.painted(self.thickened(gap=0.5), [(self.below(-5), "3 mm")], "4 mm")
+        self.assert_solid(spaced)
+        self.assertAlmostEqual(spaced.Volume.Value, 20 * (5 * 3 + 4 * 2 + 11 * 1), delta=2)
 
     def test_nothing_is_computed_for_the_same_regions(self):
         feature = self.painted(self.thickened(), [(self.below(-5), 3)], 4)
