@@ -72,10 +72,6 @@ INPUTS = [
     _input("Facets", "IntegerList", "Thicken", "The facets of the Source to thicken; none: all of them"),
     _input("Thickness", "Length", "Thicken", "How thick the solid is", 1.0),
     _input("Gap", "Length", "Thicken", "The solid begins so far from the surface; 0: at the surface itself", 0.0),
-    _input("RegionThickness", "FloatList", "Thickness regions", "The thickness of each region of facets with one of its own, mm", ()),
-    _input("Transition", "Length", "Thickness regions", "The thickness changes linearly over this distance around the regions", 5.0),
-    _hidden("RegionSizes", "IntegerList", "How many facets each region has"),
-    _hidden("RegionCorners", "VectorList", "The corners of these facets, in the coordinates of the Source without its Placement"),
     _input("Side", "Enumeration", "Thicken", "Where the material lies; normals point to the positive side", SIDES),
     _input("Method", "Enumeration", "Thicken", "How the solid is computed", METHODS),
     _input("Join", "Enumeration", "Thicken", "Outside of convex edges: planes that meet (Intersection) or a rounding (Arc)", JOINS),
@@ -88,6 +84,10 @@ INPUTS = [
     _input("Simplify", "Enumeration", "Quality", "Which of the new triangles are merged into fewer", SIMPLIFY),
     _input("Deflection", "Length", "Quality", "The farthest that the triangles of a shape may be from it",
            DEFAULT_DEFLECTION),
+    _input("RegionThickness", "FloatList", "Thickness regions", "The thickness of each region of facets with one of its own, mm", ()),
+    _input("Transition", "Length", "Thickness regions", "The thickness changes linearly over this distance around the regions", 5.0),
+    _hidden("RegionSizes", "IntegerList", "How many facets each region has"),
+    _hidden("RegionCorners", "VectorList", "The corners of these facets, in the coordinates of the Source without its Placement"),
 ]
 
 RESULTS = [
