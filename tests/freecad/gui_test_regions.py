@@ -4,6 +4,7 @@
 import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
+import Part
 from PySide import QtCore
 
 import ThickenWorkbench
@@ -99,6 +100,20 @@ class Painting(GuiCase):
         self.press("Ok")
         self.wait_closed()
         self.assertEqual(list(self.solid.RegionThickness), [])
+
+    def test_a_shape_is_painted(self):
+        self.scan = self.doc.addObject("Part::Feature", "Board")
+        self.scan.Shape = Part.makePlane(20, 20, App.Vector(-10, -10, 0)).fuse(Part.makePlane(20, 20, App.Vector(10, -10, 0)))
+        self.solid = ThickenWorkbench.make_thicken(self.doc, self.scan, 1)
+        self.look()
+        panel = self.reopen()
+        self.stroke(panel, (-3, 0), (3, 0))
+        self.assertEqual(panel.lengths, [1.5])
+        self.press("Ok")
+        self.wait_closed()
+        self.assertTrue(self.solid.Valid, self.solid.getStatusString())
+        self.assertEqual(list(self.solid.RegionThickness), [1.5])
+        self.assertGreater(self.solid.Volume.Value, 801)
 
     def test_cancel_changes_nothing(self):
         panel = self.open_panel()
