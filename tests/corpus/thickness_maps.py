@@ -2,12 +2,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Thickens surfaces of a folder with smooth maps of the thickness, and has the judge look at every solid.
 
-usage: thickness_maps.py PROGRAM FOLDER --judge JUDGE [--count 20] [--percent 2] [--regions] [-- OPTION...]
+usage: thickness_maps.py PROGRAM FOLDER --judge JUDGE [--count 20] [--percent 2] [-- OPTION...]
 
 The factor of a vertex is 2 to the sine of its place along a direction: between 0.5 and 2, once up and down over the
-surface. Direction and phase are drawn by the name of the surface, the same in every run. With --regions it is that of
-FreeCAD's thickness regions: three that a brush of 6 % of the diagonal paints, of 2, 1.5 and 0.6 times the thickness, and a
-transition of 5 %. The thickness is --percent of the diagonal, and what follows `--` goes to the program. A line a surface, then medians and the largest; the exit
+surface. Direction and phase are drawn by the name of the surface, the same in every run. The thickness is --percent
+of the diagonal, and what follows `--` goes to the program. A line a surface, then medians and the largest; the exit
 status is 1 unless all solids are right.
 """
 
@@ -27,8 +26,6 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 from thicken import read_mesh
-from ThickenWorkbench.core.patches import Brush
-from ThickenWorkbench.core.thickness_field import blended, region_weights
 
 FIGURES = ("missing_fraction", "shell_short_p99", "shell_over_p99", "excess_mitred_fraction", "triangle_ratio")
 SECONDS = 300
@@ -41,14 +38,6 @@ def factors_of(name: str, points: np.ndarray) -> np.ndarray:
     return 2.0 ** np.sin(2 * np.pi * (along / np.linalg.norm(np.ptp(points, axis=0)) + rng.random()))
 
 
-def factors_of_regions(name: str, points: np.ndarray, triangles: np.ndarray) -> np.ndarray:
-    rng = np.random.default_rng(zlib.crc32(name.encode()))
-    diagonal = np.linalg.norm(np.ptp(points, axis=0))
-    brush = Brush(points, triangles)
-    regions = [brush.around(points[v], 0.06 * diagonal) for v in rng.choice(triangles.ravel(), 3)]
-    return blended(1.0, [2.0, 1.5, 0.6], region_weights(points, triangles, regions, 0.05 * diagonal))
-
-
 def write_mapped(path: Path, points: np.ndarray, triangles: np.ndarray, factors: np.ndarray) -> None:
     vertex = np.rec.fromarrays([*points.T, factors], dtype=[(n, "<f8") for n in ("x", "y", "z", "factor")])
     face = np.empty(len(triangles), dtype=[("count", "u1"), ("corners", "<i4", 3)])
@@ -59,13 +48,12 @@ def write_mapped(path: Path, points: np.ndarray, triangles: np.ndarray, factors:
     path.write_bytes("\n".join(header).encode() + vertex.tobytes() + face.tobytes())
 
 
-def judged(program: str, judge: str, source: Path, percent: float, regions: bool, options: list[str]) -> dict[str, object]:
+def judged(program: str, judge: str, source: Path, percent: float, options: list[str]) -> dict[str, object]:
     points, triangles = read_mesh(source)
-    factors = factors_of_regions(source.stem, points, triangles) if regions else factors_of(source.stem, points)
     r = float(f"{percent / 100 * np.linalg.norm(np.ptp(points, axis=0)):.6g}")
     with tempfile.TemporaryDirectory() as folder:
         surface, solid = Path(folder, "surface.ply"), Path(folder, "solid.ply")
-        write_mapped(surface, points, triangles, factors)
+        write_mapped(surface, points, triangles, factors_of(source.stem, points))
         command = [program, surface, solid, "--thickness", repr(r), "--thickness-map", "factor", "--quiet", *options]
         begin = time.monotonic()
         run = subprocess.run(command, capture_output=True, text=True, timeout=SECONDS)
@@ -84,14 +72,13 @@ def main() -> int:
     parser.add_argument("--judge", required=True)
     parser.add_argument("--count", type=int, default=20)
     parser.add_argument("--percent", type=float, default=2)
-    parser.add_argument("--regions", action="store_true")
     parser.add_argument("options", nargs="*")
     asked = parser.parse_args()
     sources = sorted(asked.folder.glob("*.ply"))
     sources = sources[:: max(1, len(sources) // asked.count)][: asked.count]
     rows = []
     for source in sources:
-        row = judged(asked.program, asked.judge, source, asked.percent, asked.regions, asked.options)
+        row = judged(asked.program, asked.judge, source, asked.percent, asked.options)
         rows.append(row)
         figures = "  ".join(f"{name} {row[name]:.4f}" for name in FIGURES if name in row)
         print(f"{source.stem}: {'ok' if row['ok'] else row.get('error', 'wrong')}  {figures}  {row['seconds']:.1f} s", flush=True)
