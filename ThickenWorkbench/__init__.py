@@ -47,6 +47,7 @@ if TYPE_CHECKING:
     from .repair_feature import make_repair
     from .report_page import write_report
     from .thickness_map import thickness_map
+    from .thickness_regions import facets_near, set_thickness_regions, thickness_regions
     from .trim_feature import make_trim
 
 _HOMES = {
@@ -63,6 +64,7 @@ _HOMES = {
     "facet_regions": "regions",
     "make_repair": "repair_feature",
     "thickness_map": "thickness_map",
+    **dict.fromkeys(["facets_near", "set_thickness_regions", "thickness_regions"], "thickness_regions"),
     "make_trim": "trim_feature",
 }
 __all__ = sorted(_HOMES)

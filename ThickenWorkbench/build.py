@@ -52,7 +52,9 @@ def solid_of(source: Any, surface: tuple[Any, Any], arguments: dict[str, Any]) -
     """Return the solid of `surface`, of `source`, as a FreeCAD mesh in the source's own coordinates, and as a
     ThickenedMesh. Raises RefusedError with sentences for the user.
     """
-    if not arguments["thickness"] > 0:
+    import numpy as np
+
+    if not np.min(arguments["thickness"]) > 0:
         raise RefusedError("Thickness is 0 mm. Set it to more than that.")
     with runs.refusing(source):
         from thicken import native

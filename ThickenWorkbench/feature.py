@@ -26,9 +26,13 @@ class ThickenFeature(StatelessProxy):
 
     def execute(self, obj: Any) -> None:
         """Compute the solid. When that is refused, nothing of an earlier one stays behind."""
+        from .thickness_regions import ThicknessField  # needs NumPy, which opening a document does not
+
         try:
             require_source(obj.Source, obj)
-            surface, arguments = build.surface_of(obj), params.arguments(obj)
+            surface = build.surface_of(obj)
+            field = ThicknessField(obj, surface)
+            arguments = params.arguments(obj, field.values(obj.Thickness.Value))
             if obj.Valid and obj.ComputedFor == build.fingerprint(surface, arguments, obj.Mesh):
                 # Only its place has changed, or an edit was undone.
                 obj.Placement = placement_in_parent_of(obj, obj.Source)
@@ -41,6 +45,7 @@ class ThickenFeature(StatelessProxy):
         mesh.Placement = placement_in_parent_of(obj, obj.Source)
         obj.Mesh = mesh  # takes over the Placement as well
         params.show_solid(obj, solid)
+        obj.Warnings = [*obj.Warnings, *field.notes]
         for warning in obj.Warnings:
             App.Console.PrintWarning(f"{obj.Label}: {warning}\n")
 

@@ -57,6 +57,11 @@ def _input(name: str, kind: str, group: str, doc: str, start: Any = None) -> Pro
     return Property(name, "App::Property" + kind, group, doc, start)
 
 
+def _hidden(name: str, kind: str, doc: str) -> Property:
+    """An input that only commands and macros set."""
+    return Property(name, "App::Property" + kind, "Internal", doc, (), _HIDDEN)
+
+
 def _result(name: str, kind: str, report: str, doc: str, start: Any = 0) -> Property:
     return Property(name, "App::Property" + kind, "Result", doc, start, _READ_ONLY | _OUTPUT, report)
 
@@ -79,6 +84,10 @@ INPUTS = [
     _input("Simplify", "Enumeration", "Quality", "Which of the new triangles are merged into fewer", SIMPLIFY),
     _input("Deflection", "Length", "Quality", "The farthest that the triangles of a shape may be from it",
            DEFAULT_DEFLECTION),
+    _input("RegionThickness", "FloatList", "Thickness regions", "The thickness of each region of facets with one of its own, mm", ()),
+    _input("Transition", "Length", "Thickness regions", "The thickness changes linearly over this distance around the regions", 5.0),
+    _hidden("RegionSizes", "IntegerList", "How many facets each region has"),
+    _hidden("RegionCorners", "VectorList", "The corners of these facets, in the coordinates of the Source without its Placement"),
 ]
 
 RESULTS = [
@@ -175,10 +184,10 @@ def _choice(what: str, word: str, choices: list[str]) -> str:
     return by_word[str(word).lower()]
 
 
-def arguments(obj: Any) -> dict[str, Any]:
-    """The arguments of thicken_mesh() that the inputs of `obj` stand for."""
+def arguments(obj: Any, thickness: Any = None) -> dict[str, Any]:
+    """The arguments of thicken_mesh() that the inputs of `obj` stand for; `thickness`: for each vertex, in place of its Thickness."""
     result = {
-        "thickness": obj.Thickness.Value,
+        "thickness": obj.Thickness.Value if thickness is None else thickness,
         "side": obj.Side.lower(),
         "method": obj.Method.lower(),
         "repair": obj.Repair,
@@ -193,7 +202,7 @@ def arguments(obj: Any) -> dict[str, Any]:
         result["simplify"] = obj.Simplify.lower()
     chosen = QUALITY_NUMBER[obj.Quality]
     number = getattr(obj, chosen) if chosen is not None else None
-    return {**result, **quality_arguments(obj.Quality, getattr(number, "Value", number), obj.Thickness.Value)}
+    return {**result, **quality_arguments(obj.Quality, getattr(number, "Value", number), result["thickness"])}
 
 
 def join_arguments(join: str) -> dict[str, Any]:
@@ -202,12 +211,16 @@ def join_arguments(join: str) -> dict[str, Any]:
     return {} if word is None else {"join": word}
 
 
-def quality_arguments(quality: str, number: Any, thickness: float) -> dict[str, Any]:
-    """The arguments of thicken_mesh() that a Quality with its number stands for."""
+def quality_arguments(quality: str, number: Any, thickness: Any) -> dict[str, Any]:
+    """The arguments of thicken_mesh() that a Quality with its number stands for; of many thicknesses the least decides."""
     chosen = QUALITY_NUMBER[quality]
     if chosen is not None:
         return {chosen.lower(): number}
-    return {"cell": QUALITY_CELL[quality] * thickness} if quality in QUALITY_CELL else {}
+    if quality not in QUALITY_CELL:
+        return {}
+    import numpy as np
+
+    return {"cell": QUALITY_CELL[quality] * float(np.min(thickness))}
 
 
 def set_choice(obj: Any, source: Any, faces: Iterable[Any], facets: Iterable[int], deflection: Any) -> None:

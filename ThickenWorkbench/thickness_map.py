@@ -22,6 +22,7 @@ from .sources import RefusedError, kind_of
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+_ORIGINAL = 0  # Region.ORIGINAL
 _SHELL = 1  # Region.SHELL
 _WALL = 2  # Region.WALL
 _BINS = 32
@@ -100,6 +101,7 @@ def wall_step(obj: Any, vertices: NDArray, triangles: NDArray) -> runs.Step[NDAr
 def _deviation(feature: Any, vertices: NDArray, triangles: NDArray) -> runs.Step[NDArray]:
     from thicken import native
     from .build import surface_of
+    from .thickness_regions import ThicknessField
 
     if not getattr(feature, "Valid", False) or not hasattr(feature, "Thickness"):
         raise RefusedError(f"“{feature.Label}” is no Thicken feature with a solid: there is nothing to deviate from.")
@@ -107,16 +109,31 @@ def _deviation(feature: Any, vertices: NDArray, triangles: NDArray) -> runs.Step
     if len(regions) != len(triangles):
         raise RefusedError(f"The mesh of “{feature.Label}” is not the one that was computed. Recompute it.")
     shell = np.flatnonzero(regions == _SHELL)
-    extension, surface, thickness = native.load(), surface_of(feature), feature.Thickness.Value
+    extension, surface = native.load(), surface_of(feature)
+    asked = ThicknessField(feature, surface).values(feature.Thickness.Value)
+    # With a gap, or once it is repaired, the surface that was thickened is another than the source's.
+    own = regions == _ORIGINAL
+    thickened = (vertices, triangles[own]) if own.any() else surface
 
     def step(context: Any) -> NDArray:
-        closest = extension.closest_points(*surface, vertices[triangles[shell]].mean(axis=1), context=context)
+        middles = vertices[triangles[shell]].mean(axis=1)
+        closest = extension.closest_points(*thickened, middles, context=context)
         measured = closest["on_rim"] == 0  # beyond the rim the shell is wall, whatever it is called
+        wanted = asked if not np.ndim(asked) else _at_points(asked, surface, extension.closest_points(*surface, middles, context=context))
         values = np.full(len(triangles), np.nan)
-        values[shell[measured]] = closest["distance"][measured] - thickness
+        values[shell[measured]] = (closest["distance"] - wanted)[measured]
         return values
 
     return step
+
+
+def _at_points(values: NDArray, surface: tuple[NDArray, NDArray], closest: dict[str, NDArray]) -> NDArray[np.float64]:
+    """What a number for each vertex of a surface is at points of it."""
+    corners = np.asarray(surface[1])[closest["triangle"]]
+    a, b, c = np.asarray(surface[0], float)[corners].transpose(1, 0, 2)
+    point = closest["point"]
+    shares = np.stack([np.linalg.norm(np.cross(p - point, q - point), axis=1) for p, q in ((b, c), (c, a), (a, b))], axis=1)
+    return (shares * values[corners]).sum(axis=1) / np.maximum(shares.sum(axis=1), 1e-300)
 
 
 def _summary(what: str, values: NDArray, vertices: NDArray, triangles: NDArray, placement: Any) -> ThicknessMap:

@@ -28,7 +28,7 @@ def key(surface: tuple[ArrayLike, ArrayLike], arguments: dict[str, Any]) -> str:
     digest = hashlib.blake2b(digest_size=20)
     for array, kind in zip(surface, ("<f8", "<i8")):
         digest.update(np.ascontiguousarray(array, kind).tobytes())
-    digest.update(json.dumps(arguments, sort_keys=True).encode())
+    digest.update(json.dumps(arguments, sort_keys=True, default=np.ndarray.tolist).encode())
     return digest.hexdigest()
 
 

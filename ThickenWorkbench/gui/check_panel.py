@@ -18,7 +18,7 @@ from .chosen import Chosen
 from .defect_places import Place, kind_name, places
 from .overlay import faces, lines, over_view, points
 from .panel import Panel
-from .qt import QtCore, QtWidgets
+from .qt import QtCore, QtWidgets, wrapped_label
 from .run_row import RunRow, stopped_text
 
 translate = App.Qt.translate
@@ -51,19 +51,14 @@ class CheckPanel(Panel):
         self.form.setObjectName("CheckPanel")
         self.form.setWindowTitle(translate("Thicken", "Check Surface"))
         column = QtWidgets.QVBoxLayout(self.form)
-        self.status = QtWidgets.QLabel(translate("Thicken", "Checking …"))
-        self.status.setObjectName("Status")
-        self.status.setWordWrap(True)
+        self.status = wrapped_label("Status", translate("Thicken", "Checking …"))
         self.list = QtWidgets.QTreeWidget()
         self.list.setObjectName("Defects")
         self.list.setHeaderHidden(True)
         self.list.setMinimumHeight(260)
         self.list.itemClicked.connect(lambda row, _: self.go(row))
         self.list.itemActivated.connect(lambda row, _: self.go(row))
-        self.sentence = QtWidgets.QLabel()
-        self.sentence.setObjectName("Sentence")
-        self.sentence.setWordWrap(True)
-        self.sentence.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
+        self.sentence = wrapped_label("Sentence")
         self.repair = QtWidgets.QPushButton(translate("Thicken", "Repair Surface"))
         self.repair.setObjectName("Repair")
         self.repair.setVisible(False)

@@ -187,6 +187,24 @@ class MapCommand(PanelCommand):
         return bool(self.targets())
 
 
+class RegionsCommand(PanelCommand):
+    panel = ("regions_panel", "RegionsPanel")
+    name = "Thicken_Regions"
+    icon = "thickness_regions.svg"
+    menu = QT_TRANSLATE_NOOP("Thicken_Regions", "Thickness Regions...")
+    tip = QT_TRANSLATE_NOOP("Thicken_Regions", "Paint where a thickened solid is thicker or thinner")
+    help = QT_TRANSLATE_NOOP(
+        "Thicken_Regions",
+        "Select a thickened solid. A brush paints regions on its surface that have a thickness of their own; around them it changes gradually.",
+    )
+
+    def targets(self) -> list[Any]:
+        return [obj for obj in chosen.solids() if chosen.is_thicken(obj) and obj.Source is not None][:1]
+
+    def is_usable(self) -> bool:
+        return bool(self.targets())
+
+
 class DrainCommand(PanelCommand):
     panel = ("drain_panel", "DrainPanel")
     name = "Thicken_Drain"
@@ -278,7 +296,7 @@ class StopCommand(Command):
         runs.cancel_all()
 
 
-COMMANDS = [MakeCommand, CheckCommand, RepairCommand, TrimCommand, MapCommand, DrainCommand, ReportCommand,
+COMMANDS = [MakeCommand, CheckCommand, RepairCommand, TrimCommand, RegionsCommand, MapCommand, DrainCommand, ReportCommand,
             ExportCommand, SolidCommand, StopCommand]  # fmt: skip
 
 

@@ -17,7 +17,7 @@ from .directions import AXES, direction, direction_box
 from .feature_panel import FeaturePanel
 from .looks import Looks
 from .overlay import over_view, points
-from .qt import QtCore, QtWidgets, length_box, on_value
+from .qt import QtCore, QtWidgets, length_box, on_value, wrapped_label
 from .run_row import RunRow
 from .view_clicks import ViewClicks
 
@@ -84,9 +84,7 @@ class DrainPanel(FeaturePanel):
         self.plug.setObjectName("Plug")
         self.plug.setVisible(self.feature is None)  # plugs are an object of their own
         column.addWidget(self.plug)
-        self.status = QtWidgets.QLabel()
-        self.status.setObjectName("Status")
-        self.status.setWordWrap(True)
+        self.status = wrapped_label("Status")
         self.run_row = RunRow(self.stop)
         self.clear = QtWidgets.QPushButton(translate("Thicken", "Place automatically"))
         self.clear.setObjectName("Clear")

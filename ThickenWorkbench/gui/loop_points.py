@@ -3,14 +3,12 @@
 
 from __future__ import annotations
 
-from contextlib import suppress
 from typing import Any, Protocol
 
 import FreeCAD as App
-import FreeCADGui as Gui
 import numpy as np
 
-from .qt import QtCore, QtWidgets
+from .surface_mouse import SurfaceMouse
 
 # A point is taken, not a new one set, by a press so near to it.
 _NEAR_PIXELS = 9
@@ -26,83 +24,36 @@ class Owner(Protocol):
     def dragged(self, index: int, place: Any) -> None: ...  #: the point is to be there
 
 
-def _active_view() -> list[Any]:
-    """The widget that the active 3D view is drawn on, behind what it lies in: PySide forgets a widget with the object
-    that it was found in, and graphicsView() of a view may be that of one which has been closed."""
-    area = Gui.getMainWindow().findChild(QtWidgets.QMdiArea)
-    window = area.activeSubWindow() or area.subWindowList()[-1]
-    graphics = window.findChild(QtWidgets.QGraphicsView)
-    return [area, window, graphics, graphics.viewport()]
-
-
-class LoopPoints(QtCore.QObject):
-    """Tells `owner` what the left button does on `obj`, until stop(). Places are in the coordinates of the object.
-
-    The widget is watched, not FreeCAD's events: those tell of a press only when the button is released, and of what
-    a drag means to the view. What is done to points is kept from the view, which would select or turn.
-    """
+class LoopPoints(SurfaceMouse):
+    """Tells `owner` what the left button does on `obj`. Places are in the coordinates of the object."""
 
     def __init__(self, view: Any, obj: Any, owner: Owner) -> None:
-        super().__init__()
-        self._view, self._obj, self._owner = view, obj, owner
+        super().__init__(view, obj)
+        self._owner = owner
         self._held: int | None = None  # the point that follows the mouse
-        self._is_down = False  # since a press on the surface
-        self._widgets = _active_view()
-        self._port = self._widgets[-1]
-        self._port.installEventFilter(self)
 
-    def stop(self) -> None:
-        with suppress(RuntimeError):  # the view was closed
-            self._port.removeEventFilter(self)
-
-    def eventFilter(self, watched: Any, event: Any) -> bool:
-        kind = event.type()
-        if kind in (QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseButtonDblClick):
-            if event.button() == QtCore.Qt.LeftButton:
-                self._is_down = self._pressed(self._pixel(event))
-                return self._is_down
-        elif kind == QtCore.QEvent.MouseMove and self._is_down:
-            self._moved(self._pixel(event))
-            return True
-        elif kind == QtCore.QEvent.MouseButtonRelease and event.button() == QtCore.Qt.LeftButton and self._is_down:
-            self._is_down, self._held = False, None
-            return True
-        return False
-
-    def _pixel(self, event: Any) -> tuple[int, int]:
-        """From the lower left corner, as FreeCAD counts."""
-        ratio = self._port.devicePixelRatioF()
-        return round(event.pos().x() * ratio), round((self._port.height() - 1 - event.pos().y()) * ratio)
-
-    def _pressed(self, pixel: tuple[int, int]) -> bool:
+    def pressed(self, pixel: tuple[int, int], shift: bool) -> bool:
         self._held = self._point_at(pixel)
         if self._held is not None:
             self._owner.taken(self._held)
-        elif (place := self._place_at(pixel)) is not None:
+        elif (place := self.place_at(pixel)) is not None:
             self._owner.pressed(place)
         else:
             return False
         return True
 
-    def _moved(self, pixel: tuple[int, int]) -> None:
+    def moved(self, pixel: tuple[int, int]) -> None:
         if self._held is None or self._held >= len(self._owner.points):
             return
-        if (place := self._place_at(pixel)) is not None:
+        if (place := self.place_at(pixel)) is not None:
             self._owner.dragged(self._held, place)
 
-    def _placement(self) -> Any:
-        return self._obj.getGlobalPlacement()
-
-    def _place_at(self, position: tuple[int, int]) -> Any:
-        """Where the surface is below a pixel; None: it is not there, or hidden by another object."""
-        found = self._view.getObjectInfo(tuple(position))
-        if not found or found.get("Object") != self._obj.Name:
-            return None
-        return self._placement().inverse().multVec(App.Vector(found["x"], found["y"], found["z"]))
+    def released(self) -> None:
+        self._held = None
 
     def _point_at(self, position: tuple[int, int]) -> int | None:
         """The point nearest to a pixel, of those that are near."""
-        place = self._placement()
+        place = self._obj.getGlobalPlacement()
         pixels = [self._view.getPointOnScreen(place.multVec(App.Vector(*point))) for point in self._owner.points]
         if not pixels:
             return None

@@ -20,7 +20,7 @@ from .legend import Legend
 from .map_scale import asked_thickness, ends, shares
 from .overlay import over_view, points
 from .panel import Panel
-from .qt import QtWidgets
+from .qt import QtWidgets, wrapped_label
 from .region_colours import paint_plain, paint_points
 from .run_row import RunRow, stopped_text
 
@@ -62,9 +62,7 @@ class MapPanel(Panel):
             self.what.addItem(translate("Thicken", "Deviation of the shell from the thickness (mm)"))
         self.what.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
         self.what.currentIndexChanged.connect(lambda _: self._measure())
-        self.facts = QtWidgets.QLabel()
-        self.facts.setObjectName("Facts")
-        self.facts.setWordWrap(True)
+        self.facts = wrapped_label("Facts")
         self.legend = Legend()
         self.to_least = self._button("ToLeast", translate("Thicken", "Go to the least"), lambda: self.map.minimum_place)
         self.to_most = self._button("ToMost", translate("Thicken", "Go to the largest"), lambda: self.map.maximum_place)

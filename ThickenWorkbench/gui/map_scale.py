@@ -40,15 +40,25 @@ def ends(found: Any, asked: float | None = None) -> tuple[float, float]:
     return -most, most
 
 
+def around(asked: float, values: NDArray) -> tuple[float, float]:
+    """The same of thicknesses on a surface: `asked` in the middle, and all of them on the scale."""
+    half = max(_HALF * asked, float(np.abs(values - asked).max()))
+    return asked - half, asked + half
+
+
 def shares(feature: Any, found: Any, low: float, high: float) -> tuple[NDArray, NDArray]:
     """Shares of the measured area in equal steps of the scale, and the edges of these; what lies
     beyond an end counts to the last step there."""
-    vertices, triangles = arrays_from_mesh(feature.Mesh)
+    return area_shares(*arrays_from_mesh(feature.Mesh), found.facet_values, low, high)
+
+
+def area_shares(vertices: NDArray, triangles: NDArray, facet_values: NDArray, low: float, high: float) -> tuple[NDArray, NDArray]:
+    """The same of values of the facets of any mesh; NaN is not measured."""
     corners = vertices[triangles].astype(float)
     areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
-    known = np.isfinite(found.facet_values)
+    known = np.isfinite(facet_values)
     if not high > low:  # one value: a step around it
         low, high = low - 1e-6 * max(abs(low), 1.0), high + 1e-6 * max(abs(high), 1.0)
-    values = np.clip(found.facet_values[known], low, high)
+    values = np.clip(facet_values[known], low, high)
     counted, edges = np.histogram(values, _BINS, (low, high), weights=areas[known])
     return counted / max(counted.sum(), 1e-300), edges

@@ -57,9 +57,16 @@ def faces(vertices: ArrayLike, triangles: ArrayLike, colour: Colour, transparenc
     material = coin.SoMaterial()
     material.diffuseColor = colour
     material.transparency = transparency
-    towards_eye = coin.SoPolygonOffset()
-    towards_eye.factor, towards_eye.units = -1.0, -1.0
-    return _group(material, towards_eye, _two_sided(), _coordinates(vertices), _face_set(triangles))
+    return _group(material, _towards_eye(), _two_sided(), _coordinates(vertices), _face_set(triangles))
+
+
+def coloured_faces(vertices: ArrayLike, triangles: ArrayLike, colours: ArrayLike) -> Any:
+    """Triangles with a colour for each vertex, n × 3, blended between them; else as faces()."""
+    material = coin.SoMaterial()
+    set_colours(material, colours)
+    binding = coin.SoMaterialBinding()
+    binding.value = coin.SoMaterialBinding.PER_VERTEX_INDEXED
+    return _group(material, binding, _towards_eye(), _two_sided(), _coordinates(vertices), _face_set(triangles))
 
 
 def lines(points: ArrayLike, colour: Colour, width: float = 3.0) -> Any:
@@ -116,6 +123,12 @@ def _group(*nodes: Any) -> Any:
     for node in nodes:
         group.addChild(node)
     return group
+
+
+def _towards_eye() -> Any:
+    offset = coin.SoPolygonOffset()
+    offset.factor, offset.units = -1.0, -1.0
+    return offset
 
 
 def _two_sided() -> Any:

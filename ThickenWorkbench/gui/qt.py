@@ -17,7 +17,7 @@ try:
 except ImportError:
     QtWidgets = QtGui
 
-__all__ = ["QtCore", "QtGui", "QtWidgets", "length_box", "on_value", "run_dialog", "standard_buttons"]
+__all__ = ["QtCore", "QtGui", "QtWidgets", "length_box", "on_value", "run_dialog", "standard_buttons", "wrapped_label"]
 
 
 def run_dialog(dialog: Any) -> int:
@@ -31,6 +31,28 @@ def standard_buttons(*names: str) -> Any:
     for name in names[1:]:
         flags |= getattr(QtWidgets.QDialogButtonBox, name)
     return flags
+
+
+class _WrappedLabel(QtWidgets.QLabel):
+    """Asks for the height that its words take at its width: a panel gives no more than is asked for, and what stands above them would be squeezed."""
+
+    def minimumSizeHint(self) -> Any:
+        size = super().minimumSizeHint()
+        size.setHeight(max(size.height(), self.heightForWidth(self.width())))
+        return size
+
+    def resizeEvent(self, event: Any) -> None:
+        super().resizeEvent(event)
+        self.updateGeometry()
+
+
+def wrapped_label(name: str, text: str = "") -> Any:
+    """Words over as many lines as they take, which can be marked and copied."""
+    label = _WrappedLabel(text)
+    label.setObjectName(name)
+    label.setWordWrap(True)
+    label.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
+    return label
 
 
 def length_box(value: float, minimum: float = 0.0) -> Any:

@@ -9,7 +9,7 @@ import numpy as np
 
 from .. import preferences
 from ..mesh_io import arrays_from_mesh
-from ..core.patches import SmoothPatches
+from ..core.patches import Brush, SmoothPatches
 from .camera import view_of
 from .overlay import faces, over_object
 from .view_clicks import ViewClicks
@@ -23,6 +23,7 @@ class RegionPicker:
         self._source, self._changed = source, changed
         self._vertices, self._triangles = arrays_from_mesh(source.Mesh)
         self._patches = SmoothPatches(self._vertices, self._triangles)
+        self._brush = Brush(self._vertices, self._triangles)
         self._chosen = np.zeros(len(self._triangles), bool)
         self._chosen[list(facets)] = True
         self._overlay = over_object(source)
@@ -39,9 +40,7 @@ class RegionPicker:
 
     def facet_at(self, place: Any) -> int:
         """The facet that is nearest to a place of the document."""
-        local = np.array(tuple(self._source.getGlobalPlacement().inverse().multVec(place)))
-        corners = self._vertices[self._triangles].astype(float)
-        return int(np.argmin(_distances(local, corners)))
+        return self._brush.facet_at(tuple(self._source.getGlobalPlacement().inverse().multVec(place)))
 
     def _clicked(self, place: Any) -> None:
         facet = self.facet_at(place)
@@ -58,20 +57,3 @@ class RegionPicker:
         colour = preferences.colour("ColorOriginal")
         self._overlay.show(*([faces(self._vertices, chosen, colour)] if len(chosen) else []))
 
-
-def _distances(point: Any, corners: Any) -> Any:
-    """From a point to each triangle: to its plane where the point is above it, else to its edges."""
-    a, b, c = corners.transpose(1, 0, 2)
-    normal = np.cross(b - a, c - a)
-    length = np.linalg.norm(normal, axis=1)
-    unit = np.divide(normal, length[:, None], out=np.zeros_like(normal), where=length[:, None] > 0)
-    inside = length > 0
-    nearest = np.full(len(corners), np.inf)
-    for start, end in ((a, b), (b, c), (c, a)):
-        along = end - start
-        square = np.maximum(np.einsum("ij,ij->i", along, along), 1e-300)
-        share = np.clip(np.einsum("ij,ij->i", point - start, along) / square, 0, 1)
-        nearest = np.minimum(nearest, np.linalg.norm(start + share[:, None] * along - point, axis=1))
-        inside &= np.einsum("ij,ij->i", np.cross(along, point - start), unit) >= 0
-    height = np.abs(np.einsum("ij,ij->i", point - a, unit))
-    return np.where(inside, height, nearest)

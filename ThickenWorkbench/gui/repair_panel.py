@@ -12,7 +12,7 @@ from ..sources import surface_arrays
 from . import macro
 from .feature_panel import FeaturePanel
 from .overlay import over_object
-from .qt import QtCore, QtWidgets, length_box, on_value
+from .qt import QtCore, QtWidgets, length_box, on_value, wrapped_label
 from .repair_marks import key, marks
 from .run_row import RunRow, stopped_text
 
@@ -60,9 +60,7 @@ class RepairPanel(FeaturePanel):
         rows.addRow(translate("Thicken", "Bridge gaps up to"), self.bridge)
         rows.addRow(translate("Thicken", "Fill holes with a rim below"), self.fill)
         self.legend = QtWidgets.QLabel(" &nbsp; ".join(_coloured(word, colour) for word, colour in key()))
-        self.status = QtWidgets.QLabel("\n".join(self.feature.Changes) or _nothing())
-        self.status.setObjectName("Status")
-        self.status.setWordWrap(True)
+        self.status = wrapped_label("Status", "\n".join(self.feature.Changes) or _nothing())
         self.run_row = RunRow(self.stop)
         column.addLayout(rows)
         for widget in (self.run_row.widget, self.legend, self.status):

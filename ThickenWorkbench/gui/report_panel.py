@@ -20,7 +20,7 @@ from .directions import direction, direction_box
 from .files import ask_target
 from .overlay import over_view, points
 from .panel import Panel
-from .qt import QtCore, QtWidgets, length_box, on_value
+from .qt import QtCore, QtWidgets, length_box, on_value, wrapped_label
 from .run_row import RunRow, stopped_text
 from .report_summary import place_of, summary
 from .tones import tones
@@ -89,9 +89,7 @@ class ReportPanel(Panel):
         self.save.setObjectName("Save")
         self.save.clicked.connect(self._save)
         column.addWidget(self.save)
-        self.saved = QtWidgets.QLabel()
-        self.saved.setObjectName("Saved")
-        self.saved.setWordWrap(True)
+        self.saved = wrapped_label("Saved")
         column.addWidget(self.saved)
 
     def _inputs(self) -> dict[str, Any]:

@@ -9,7 +9,7 @@ import FreeCAD as App
 
 from .. import params, preferences
 from ..sources import DEFAULT_DEFLECTION
-from .qt import QtCore, QtWidgets, length_box, on_value
+from .qt import QtWidgets, length_box, on_value, wrapped_label
 from .run_row import RunRow
 from .tones import tones
 
@@ -45,7 +45,7 @@ class ThickenForm:
         self.widget.setObjectName("ThickenPanel")
         self.widget.setWindowTitle(translate("Thicken", "Thicken"))
         column = QtWidgets.QVBoxLayout(self.widget)
-        self.title = _named(_label(title), "Title")
+        self.title = wrapped_label("Title", title)
         column.addWidget(self.title)
         self._add_region_row(column, of_mesh)
         rows = _rows()
@@ -228,8 +228,8 @@ class ThickenForm:
         column.addWidget(self.preview)
 
     def _add_run_rows(self, column: Any) -> None:
-        self.forecast = _named(_label(""), "Forecast")
-        self.status = _named(_label(""), "Status")
+        self.forecast = wrapped_label("Forecast")
+        self.status = wrapped_label("Status")
         for widget in (self.forecast, self.status):
             column.addWidget(widget)
         self.run_row = RunRow(self._stop)
@@ -362,13 +362,6 @@ class ThickenForm:
 def _named(widget: Any, name: str) -> Any:
     widget.setObjectName(name)
     return widget
-
-
-def _label(text: str) -> Any:
-    label = QtWidgets.QLabel(text)
-    label.setWordWrap(True)
-    label.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
-    return label
 
 
 def _rows() -> Any:

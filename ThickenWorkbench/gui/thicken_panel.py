@@ -18,7 +18,8 @@ from .. import build, numbers, prediction, preferences, runs
 from ..core import precomputed
 from thicken.arrays import ThickenedMesh, size_of, thicken_mesh
 from ..part_solid import part_solid_of, size_warning
-from ..sources import DEFAULT_DEFLECTION
+from ..sources import DEFAULT_DEFLECTION, RefusedError
+from ..thickness_regions import ThicknessField
 from . import macro, messages
 from .camera import view_of
 from .chosen import Chosen, is_mesh, is_shape
@@ -87,6 +88,7 @@ class ThickenPanel(Panel):
         self._deflection = deflection
         self._surfaces = [surface_of(item, deflection) for item in self.chosen]
         self._sizes = [size_of(*surface) for surface in self._surfaces]
+        self._field: ThicknessField | None = None
         self._triangles = sum(size.triangles for size in self._sizes)
 
     def _flip(self) -> None:
@@ -216,13 +218,26 @@ class ThickenPanel(Panel):
         if inputs["deflection"] is not None and not inputs["deflection"] > 0:
             self.form_parts.tell(translate("Thicken", "Set a deflection above 0 mm."), bad=True)
             return False
-        if inputs["thickness"] > 0:
-            return True
-        self.form_parts.tell(translate("Thicken", "Set a thickness above 0 mm."), bad=True)
-        return False
+        if not inputs["thickness"] > 0:
+            self.form_parts.tell(translate("Thicken", "Set a thickness above 0 mm."), bad=True)
+            return False
+        try:
+            self._find_regions()
+        except RefusedError as error:
+            self.form_parts.tell(str(error), bad=True)
+            return False
+        return True
+
+    def _find_regions(self) -> None:
+        """The thickness regions of the feature that is edited, on the surface as it is now."""
+        if self.feature is not None and self._field is None:
+            self._field = ThicknessField(self.feature, self._surfaces[0])
 
     def _runs(self) -> list[tuple[Any, dict[str, Any]]]:
-        arguments = arguments_of(self.form_parts.inputs())
+        inputs = self.form_parts.inputs()
+        if self._field is not None:
+            inputs["thickness"] = self._field.values(inputs["thickness"])
+        arguments = arguments_of(inputs)
         return [(surface, arguments) for surface in self._surfaces]
 
     def _previewed(self, solids: list[ThickenedMesh], error: BaseException | None) -> None:
@@ -233,6 +248,7 @@ class ThickenPanel(Panel):
         lines = [translate("Thicken", "Preview: {numbers}.").format(numbers=messages.numbers(s)) for s in solids]
         self._show_forecast(translate("Thicken", "OK makes this solid at once."))
         lines += [messages.warning(w) for s in solids for w in s.report["warnings"]]
+        lines += self._field.notes if self._field is not None else []
         self.form_parts.tell("\n".join(lines))
 
     def _advice(self, error: BaseException) -> str:

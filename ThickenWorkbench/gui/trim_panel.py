@@ -17,7 +17,7 @@ from .feature_panel import FeaturePanel
 from .loop_points import LoopPoints
 from .looks import Looks
 from .overlay import lines, over_object, points
-from .qt import QtWidgets
+from .qt import QtWidgets, wrapped_label
 from .run_row import RunRow
 
 translate = App.Qt.translate
@@ -105,9 +105,7 @@ class TrimPanel(FeaturePanel):
         rows = QtWidgets.QFormLayout()
         rows.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
         rows.addRow(translate("Thicken", "Rounds of smoothing"), self.smooth)
-        self.status = QtWidgets.QLabel()
-        self.status.setObjectName("Status")
-        self.status.setWordWrap(True)
+        self.status = wrapped_label("Status")
         self.run_row = RunRow(self.stop)
         column.addLayout(rows)
         for widget in (self.closed, self.remove, self.inside, self.status, self.run_row.widget):

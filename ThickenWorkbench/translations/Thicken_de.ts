@@ -360,7 +360,7 @@
     </message>
     <message>
         <source>The document has no 3D view. Open one: View ▸ Create new view.</source>
-        <extracomment>the lowest place</extracomment>
+        <extracomment>in the coordinates of the object</extracomment>
         <translation>Das Dokument hat keine 3D-Ansicht. Bitte eine öffnen: Ansicht ▸ Neue Ansicht.</translation>
     </message>
     <message>
@@ -814,7 +814,6 @@
     </message>
     <message>
         <source>removed</source>
-        <extracomment>degrees: what a patch ends at</extracomment>
         <translation>entfernt</translation>
     </message>
     <message>
@@ -968,6 +967,57 @@
     <message>
         <source>The solid begins so far from the surface, and not at it; where there is no room it has a hole</source>
         <translation>Der Körper beginnt so weit von der Fläche entfernt und nicht an ihr; wo kein Platz ist, hat er ein Loch</translation>
+    </message>
+    <message>
+        <source>Only {share} of thickness region {number} ({thickness} mm) is on the surface, which has changed.</source>
+        <extracomment>of the area that was painted</extracomment>
+        <translation>Nur {share} des Dickenbereichs {number} ({thickness} mm) liegt auf der Fläche, die sich geändert hat.</translation>
+    </message>
+    <message>
+        <source>Thickness Regions</source>
+        <extracomment>the thickness at each vertex, once it is there</extracomment>
+        <translation>Dickenbereiche</translation>
+    </message>
+    <message>
+        <source>“{label}”: {thickness} mm elsewhere</source>
+        <translation>„{label}“: sonst {thickness} mm</translation>
+    </message>
+    <message>
+        <source>New region</source>
+        <translation>Neuer Bereich</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Radius of the brush</source>
+        <translation>Radius des Pinsels</translation>
+    </message>
+    <message>
+        <source>Transition</source>
+        <translation>Übergang</translation>
+    </message>
+    <message>
+        <source>The thickness changes linearly over this distance along the surface around the regions</source>
+        <translation>Um die Bereiche ändert sich die Dicke auf dieser Strecke entlang der Fläche linear</translation>
+    </message>
+    <message>
+        <source>{number}: {thickness} mm on {area} mm²</source>
+        <translation>{number}: {thickness} mm auf {area} mm²</translation>
+    </message>
+    <message>
+        <source>Drag over the surface to paint the region; with Shift to take away from it.</source>
+        <translation>Über die Fläche ziehen, um den Bereich zu malen; mit Umschalt, um davon wegzunehmen.</translation>
+    </message>
+    <message>
+        <source>Paint the region again, or remove it.</source>
+        <extracomment>mm</extracomment>
+        <translation>Bitte den Bereich neu malen oder entfernen.</translation>
+    </message>
+    <message>
+        <source>The surface has changed since the panel was opened. Open it again.</source>
+        <translation>Die Fläche hat sich geändert, seit die Aufgabe geöffnet wurde. Bitte neu öffnen.</translation>
     </message>
 </context>
 <context>
@@ -1151,6 +1201,21 @@
     <message>
         <source>Select a thickened or drained solid. A panel shows the scale, the least and the largest value and a histogram.</source>
         <translation>Einen verdickten oder gelochten Körper auswählen. Eine Aufgabe zeigt die Skala, den kleinsten und größten Wert und ein Histogramm.</translation>
+    </message>
+</context>
+<context>
+    <name>Thicken_Regions</name>
+    <message>
+        <source>Thickness Regions...</source>
+        <translation>Dickenbereiche...</translation>
+    </message>
+    <message>
+        <source>Paint where a thickened solid is thicker or thinner</source>
+        <translation>Malen, wo ein verdickter Körper dicker oder dünner ist</translation>
+    </message>
+    <message>
+        <source>Select a thickened solid. A brush paints regions on its surface that have a thickness of their own; around them it changes gradually.</source>
+        <translation>Einen verdickten Körper auswählen. Ein Pinsel malt auf seine Fläche Bereiche mit eigener Dicke; um sie herum ändert sie sich allmählich.</translation>
     </message>
 </context>
 <context>

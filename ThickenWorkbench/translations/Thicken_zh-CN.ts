@@ -360,7 +360,7 @@
     </message>
     <message>
         <source>The document has no 3D view. Open one: View ▸ Create new view.</source>
-        <extracomment>the lowest place</extracomment>
+        <extracomment>in the coordinates of the object</extracomment>
         <translation>文档没有三维视图。请打开一个：视图 ▸ 新建视图。</translation>
     </message>
     <message>
@@ -814,7 +814,6 @@
     </message>
     <message>
         <source>removed</source>
-        <extracomment>degrees: what a patch ends at</extracomment>
         <translation>已删除</translation>
     </message>
     <message>
@@ -968,6 +967,57 @@
     <message>
         <source>The solid begins so far from the surface, and not at it; where there is no room it has a hole</source>
         <translation>实体从距曲面这么远处开始，而不是从曲面开始；空间不足处留有孔</translation>
+    </message>
+    <message>
+        <source>Only {share} of thickness region {number} ({thickness} mm) is on the surface, which has changed.</source>
+        <extracomment>of the area that was painted</extracomment>
+        <translation>厚度区域 {number}（{thickness} mm）只有 {share} 在曲面上，曲面已更改。</translation>
+    </message>
+    <message>
+        <source>Thickness Regions</source>
+        <extracomment>the thickness at each vertex, once it is there</extracomment>
+        <translation>厚度区域</translation>
+    </message>
+    <message>
+        <source>“{label}”: {thickness} mm elsewhere</source>
+        <translation>“{label}”：其余处 {thickness} mm</translation>
+    </message>
+    <message>
+        <source>New region</source>
+        <translation>新建区域</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Radius of the brush</source>
+        <translation>画笔半径</translation>
+    </message>
+    <message>
+        <source>Transition</source>
+        <translation>过渡宽度</translation>
+    </message>
+    <message>
+        <source>The thickness changes linearly over this distance along the surface around the regions</source>
+        <translation>厚度在区域周围沿曲面的这段距离内线性变化</translation>
+    </message>
+    <message>
+        <source>{number}: {thickness} mm on {area} mm²</source>
+        <translation>{number}：{thickness} mm，面积 {area} mm²</translation>
+    </message>
+    <message>
+        <source>Drag over the surface to paint the region; with Shift to take away from it.</source>
+        <translation>在曲面上拖动以涂绘区域；按住 Shift 拖动则从区域中去除。</translation>
+    </message>
+    <message>
+        <source>Paint the region again, or remove it.</source>
+        <extracomment>mm</extracomment>
+        <translation>请重新涂绘该区域，或将其移除。</translation>
+    </message>
+    <message>
+        <source>The surface has changed since the panel was opened. Open it again.</source>
+        <translation>打开面板后曲面已更改。请重新打开面板。</translation>
     </message>
 </context>
 <context>
@@ -1151,6 +1201,21 @@
     <message>
         <source>Select a thickened or drained solid. A panel shows the scale, the least and the largest value and a histogram.</source>
         <translation>选择一个加厚或已开孔的实体。面板会显示色标、最小值、最大值和直方图。</translation>
+    </message>
+</context>
+<context>
+    <name>Thicken_Regions</name>
+    <message>
+        <source>Thickness Regions...</source>
+        <translation>厚度区域...</translation>
+    </message>
+    <message>
+        <source>Paint where a thickened solid is thicker or thinner</source>
+        <translation>涂绘加厚实体更厚或更薄的位置</translation>
+    </message>
+    <message>
+        <source>Select a thickened solid. A brush paints regions on its surface that have a thickness of their own; around them it changes gradually.</source>
+        <translation>选择一个加厚实体。画笔在其曲面上涂绘具有各自厚度的区域；区域周围的厚度逐渐变化。</translation>
     </message>
 </context>
 <context>

@@ -212,6 +212,23 @@ class GuiCase(unittest.TestCase):
         ratio = port.devicePixelRatioF()
         click(port, QtCore.QPoint(int(pixel[0] / ratio), int(port.height() - 1 - pixel[1] / ratio)))
 
+    def drag_view(self, start, end, modifiers=QtCore.Qt.NoModifier):
+        """Drag in the 3D view with the left button down, from one pixel to another."""
+        port = self.viewport()
+
+        def send(kind, pixel, button, buttons):
+            ratio = port.devicePixelRatioF()
+            place = QtCore.QPointF(int(pixel[0] / ratio), int(port.height() - 1 - pixel[1] / ratio))
+            QtGui.QApplication.sendEvent(port, QtGui.QMouseEvent(kind, place, button, buttons, modifiers))
+            process_events()
+
+        left, none = QtCore.Qt.LeftButton, QtCore.Qt.NoButton
+        send(QtCore.QEvent.MouseButtonPress, start, left, left)
+        for share in (0.3, 0.6, 1.0):
+            between = [a + share * (b - a) for a, b in zip(start, end)]
+            send(QtCore.QEvent.MouseMove, between, none, left)
+        send(QtCore.QEvent.MouseButtonRelease, end, left, none)
+
     def picture(self, name):
         """Leave a picture of FreeCAD's window behind, where THICKEN_GUI_PICTURES names a folder."""
         self.picture_of(main_window(), name)

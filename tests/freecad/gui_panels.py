@@ -32,7 +32,7 @@ class Panels(GuiCase):
         solid = ThickenWorkbench.make_thicken(self.doc, cube, thickness=2)
         self.look()
         return (("make", "Make", cube), ("refused", "Make", crossing), ("check", "Check", crossing), ("map", "Map", solid),
-                ("drain", "Drain", solid), ("report", "Report", solid))  # fmt: skip
+                ("drain", "Drain", solid), ("report", "Report", solid), ("regions", "Regions", solid))  # fmt: skip
 
     def idle(self, panel):
         preview = getattr(panel, "_preview", None)

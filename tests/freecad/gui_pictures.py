@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Takes the pictures of docs/tutorial.md by clicking through it. Run by scripts/pictures."""
 
+import math
 from pathlib import Path
 
 import FreeCAD as App
@@ -96,6 +97,73 @@ class Tutorial(GuiCase):
         self.assertTrue(drained.Valid, drained.getStatusString())
         self.from_below()
         self.picture("drained")
+
+    def on_shaft(self, x, z):
+        """The pixel of a place on the front of the bone's shaft, from the middle of the patch, mm."""
+        return Gui.activeDocument().activeView().getPointOnScreen(App.Vector(122 + x, 0, -165 + z))
+
+    def trimmed(self, scan):
+        """Clicks eight points of an ellipse, and the first once more."""
+        self.select(scan)
+        panel = self.run_command("Thicken_Trim")
+        wait_until(lambda: panel.paths is not None, "the surface is prepared")
+        for turn in range(0, 361, 45):
+            self.click_view(self.on_shaft(10 * math.cos(math.radians(turn)), 30 * math.sin(math.radians(turn))))
+        self.assertEqual(len(panel.points), 8)
+        self.assertTrue(self.child(panel, "Closed").isChecked())
+        self.child(panel, "Smooth").setValue(2)
+        process_events()
+        self.picture("trim")
+        self.ok()
+        return self.made("Trim")
+
+    def made(self, name):
+        feature = self.doc.getObject(name)
+        self.assertTrue(feature.Valid, feature.getStatusString())
+        return feature
+
+    def test_d_a_part_that_fits(self):
+        Mesh.insert(str(DATA / "bone.stl"), self.doc.Name)
+        (scan,) = self.doc.Objects
+        scan.Label = "bone"
+        self.show(view="Front")
+        trimmed = self.trimmed(scan)
+        self.from_aside()
+        self.select(trimmed)
+        panel = self.run_command("Thicken_Make")
+        type_text(self.child(panel, "Thickness"), "3 mm")
+        type_text(self.child(panel, "Gap"), "0.5 mm")
+        click(self.child(panel, "Flip"))
+        wait_until(lambda: not panel._preview.busy(), "the preview is there")
+        self.picture("gap")
+        self.ok()
+        part = self.made("Thicken")
+        self.show(view="Front")
+        self.select(part)
+        panel = self.run_command("Thicken_Regions")
+        wait_until(lambda: panel.values is not None, "the surface is coloured")
+        self.drag_view(self.on_shaft(0, 12), self.on_shaft(0, -12))
+        type_text(self.child(panel, "Thickness"), "5 mm")
+        type_text(self.child(panel, "Transition"), "6 mm")
+        wait_until(lambda: not panel._timer.isActive() and panel._job is None, "the field is there")
+        self.picture("thicker")
+        self.ok()
+        self.assertTrue(part.Valid, part.getStatusString())
+        self.from_aside()
+        self.select(part)
+        panel = self.run_command("Thicken_Map")
+        wait_until(lambda: panel.map is not None, "the map is there")
+        self.picture("thicker-map")
+        self.close()
+        scan.ViewObject.Visibility = True
+        self.from_aside()
+        self.picture("fits")
+
+    def from_aside(self):
+        Gui.activeDocument().activeView().setCameraOrientation(App.Rotation(-25, 0, 80))
+        Gui.SendMsgToActiveView("ViewFit")
+        Gui.Selection.clearSelection()
+        process_events()
 
     def test_c_region(self):
         Mesh.insert(str(DATA / "bracket.stl"), self.doc.Name)

@@ -59,6 +59,14 @@ class ClosedByAMacro(GuiCase):
         self.assert_nothing_is_left(panel, solid)
         self.assertEqual(painted(solid.ViewObject), before)
 
+    def test_thickness_regions(self):
+        solid = self.hollow()
+        self.select(solid)
+        panel = self.run_command("Thicken_Regions")
+        self.assertFalse(solid.ViewObject.Visibility)
+        self.assert_nothing_is_left(panel, solid)
+        self.assertEqual(list(solid.RegionThickness), [])
+
     def test_report_and_check_while_they_compute(self):
         solid = self.hollow()
         for command in ("Thicken_Report", "Thicken_Check"):
@@ -181,7 +189,7 @@ class Narrow(GuiCase):
         self.addCleanup(Gui.setLocale, "English")
         for language in ("English", "German", "Chinese Simplified"):
             Gui.setLocale(language)
-            for command, target in (("Make", cube), ("Check", cube), ("Map", solid), ("Drain", solid), ("Report", solid)):
+            for command, target in (("Make", cube), ("Check", cube), ("Map", solid), ("Drain", solid), ("Report", solid), ("Regions", solid)):
                 with self.subTest(f"{language}, {command}"):
                     self.select(target)
                     panel = self.run_command(f"Thicken_{command}")
@@ -195,6 +203,19 @@ class Narrow(GuiCase):
                     Gui.Control.closeDialog()
                     process_events()
                     self.assertLessEqual(width, 236)
+
+
+    def test_long_words_squeeze_no_field(self):
+        self.select(self.add_mesh(plate()))
+        panel = self.run_command("Thicken_Make")
+        wait_until(lambda: not panel._preview.busy(), "the preview is there")
+        before = [self.child(panel, name).height() for name in ("Thickness", "Gap", "Side", "Flip")]
+        panel.form_parts.tell("The solid is thinner than asked in places. " * 12)
+        label = self.child(panel, "Status")
+        wait_until(lambda: label.height() >= label.heightForWidth(label.width()), "all words are seen")
+        self.assertEqual([self.child(panel, name).height() for name in ("Thickness", "Gap", "Side", "Flip")], before)
+        self.press("Cancel")
+        self.wait_closed()
 
 
 class Dark(GuiCase):

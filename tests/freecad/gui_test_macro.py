@@ -86,6 +86,15 @@ class Recorded(GuiCase):
         self.child(editing.current(), "Quality").setCurrentIndex(2)
         self.press("Ok")
         self.wait_closed()
+        for obj in self.doc.Objects:  # all lie in one place, and the brush paints on what is seen
+            obj.ViewObject.Visibility = obj == first
+        self.select(first)
+        self.run_command("Thicken_Regions")
+        view = Gui.activeDocument().activeView()
+        self.drag_view(*(view.getPointOnScreen(sources[0].Mesh.BoundBox.Center + App.Vector(x, 0, 0)) for x in (-4, 4)))
+        self.press("Ok")
+        self.wait_closed()
+        self.assertEqual(list(first.RegionThickness), [2.25])
         self.select(first)
         panel = self.run_command("Thicken_Map")
         wait_until(lambda: panel.map is not None, "the map is there")
@@ -133,7 +142,7 @@ class Recorded(GuiCase):
         self.stop_recording()
         (macro,) = self.folder.glob("clicked*.FCMacro")
         text = macro.read_text()
-        for word in ("check_surface(", "make_thicken(", "thickness='1.2 mm'", ".Thickness = '1.5 mm'", "thickness_map(",
+        for word in ("check_surface(", "make_thicken(", "thickness='1.2 mm'", ".Thickness = '1.5 mm'", "set_thickness_regions(", "thickness_map(",
                      "make_drain_holes(", "printability(", "export_for_printing("):  # fmt: skip
             self.assertIn(word, text)
         meshes = [obj for obj in self.doc.Objects if obj.isDerivedFrom("Mesh::Feature")]

@@ -5,8 +5,6 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import Part
 
-from PySide import QtCore, QtGui
-
 from gui_case import GuiCase, click, process_events, wait_until
 from thicken_surfaces import plate
 
@@ -65,22 +63,6 @@ class Clicks(GuiCase):
         for place in places:
             self.click_view(self.pixel(*place))
 
-    def drag(self, start, end):
-        port = self.viewport()
-
-        def send(kind, pixel, button, buttons):
-            ratio = port.devicePixelRatioF()
-            place = QtCore.QPointF(int(pixel[0] / ratio), int(port.height() - 1 - pixel[1] / ratio))
-            QtGui.QApplication.sendEvent(port, QtGui.QMouseEvent(kind, place, button, buttons, QtCore.Qt.NoModifier))
-            process_events()
-
-        left, none = QtCore.Qt.LeftButton, QtCore.Qt.NoButton
-        send(QtCore.QEvent.MouseButtonPress, start, left, left)
-        for share in (0.3, 0.6, 1.0):
-            between = [a + share * (b - a) for a, b in zip(start, end)]
-            send(QtCore.QEvent.MouseMove, between, none, left)
-        send(QtCore.QEvent.MouseButtonRelease, end, left, none)
-
     def test_a_loop_is_clicked_and_cut_in_one_step(self):
         panel = self.open_panel()
         self.set_points()
@@ -101,7 +83,7 @@ class Clicks(GuiCase):
     def test_points_are_dragged_and_removed(self):
         panel = self.open_panel()
         self.set_points()
-        self.drag(self.pixel(*CORNERS[2]), self.pixel(6, 2))
+        self.drag_view(self.pixel(*CORNERS[2]), self.pixel(6, 2))
         self.assertEqual(len(panel.points), 4)
         self.assertAlmostEqual(panel.points[2].x, 6, delta=0.4)
         self.assertAlmostEqual(panel.points[2].y, 2, delta=0.4)

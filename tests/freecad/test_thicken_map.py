@@ -78,6 +78,11 @@ class DeviationMap(DocumentCase):
         regions = ThickenWorkbench.facet_regions(feature)
         self.assertTrue(np.isnan(found.facet_values[regions != 1]).all())
 
+    def test_a_gap_is_no_deviation(self):
+        feature = ThickenWorkbench.make_thicken(self.doc, self.add_source(saddle()), 1.5, gap=0.7)
+        found = ThickenWorkbench.thickness_map(feature, "deviation")
+        self.assertLess(abs(found.mean), 0.02)
+
     def test_too_thin_places_are_negative(self):
         below = plate()[0] + [[0, 0, -1.5]], plate()[1]
         source = self.add_source(together(plate(), (below[0].astype("f4"), below[1])))

@@ -7,7 +7,10 @@ import subprocess
 import zipfile
 from pathlib import Path
 
+import numpy as np
+
 import ThickenWorkbench
+from ThickenWorkbench import mesh_io
 from thicken_case import DocumentCase
 from thicken_judge import assert_judged_solid
 
@@ -74,5 +77,32 @@ class Tutorial(DocumentCase):
         self.assertGreater(facts["thinnest_wall"]["mm"], 1.9)  # the edge of the hole is no wall
         path = self.folder / "pawn.stl"
         ThickenWorkbench.export_for_printing(drained, path)
+        assert_judged_solid(self, path)
+        self.slice(path)
+
+    def test_a_part_that_fits(self):
+        scan = self.read("bone.stl")
+        # points of an ellipse on the front of the shaft, from before it
+        points, _ = mesh_io.arrays_from_mesh(scan.Mesh)
+        turns = np.radians(np.arange(0, 360, 45))
+        wanted = np.column_stack([122 + 10 * np.cos(turns), np.full(8, -30.0), -165 + 30 * np.sin(turns)])
+        loop = [points[np.argmin(np.linalg.norm(points - place, axis=1))] for place in wanted]
+        trimmed = ThickenWorkbench.make_trim(self.doc, scan, loop, smooth=2)
+        self.assertTrue(trimmed.Valid, trimmed.getStatusString())
+        part = ThickenWorkbench.make_thicken(self.doc, trimmed, "3 mm", "positive", gap="0.5 mm")
+        self.assert_solid(part)
+        plain = part.Volume.Value
+        stroke = [(122, -12, -165 + 1.5 * k) for k in range(-8, 9)]
+        near = ThickenWorkbench.facets_near(part, stroke, 3)
+        ThickenWorkbench.set_thickness_regions(part, [(near, "5 mm")], "6 mm")
+        self.doc.recompute()
+        self.assert_solid(part)
+        painted = trimmed.Mesh.copy()
+        painted.removeFacets([k for k in range(trimmed.TriangleCount) if k not in set(near)])
+        self.assertGreater(part.Volume.Value, plain + 2 * painted.Area)
+        facts = ThickenWorkbench.printability(part)
+        self.assertTrue(facts["valid"])
+        path = self.folder / "part.stl"
+        ThickenWorkbench.export_for_printing(part, path)
         assert_judged_solid(self, path)
         self.slice(path)
