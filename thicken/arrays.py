@@ -132,6 +132,9 @@ def thicken_mesh(
     join: Literal["mitre", "round"] | None = None,
     simplify: Literal["off", "auto", "shell"] = "auto",
     gap: float = 0.0,
+    rim_thickness: float | None = None,
+    rim_width: float | None = None,
+    rim_round: float | None = None,
     threads: int = 0,
     memory: float | None = None,
     precision: Literal["single", "double"] = "single",
@@ -149,6 +152,8 @@ def thicken_mesh(
     `simplify`: triangles to merge into fewer within the tolerance: "off", "auto", those of walls and of a shell that is
     denser than the surface, or "shell", all but the surface's own.
     `gap`: the solid begins so far from the surface; `gap_surface` of the result is what it keeps then.
+    `rim_thickness` at the rim changes to the thickness elsewhere over `rim_width`; `rim_round` is the radius of the edge
+    between shell and wall.
     `memory` is a limit in MiB. `context` polls and cancels the run from another thread; Ctrl-C
     ends it as well. Other Python threads run meanwhile.
 
@@ -182,6 +187,9 @@ def thicken_mesh(
         join=join,
         simplify=simplify,
         gap=gap,
+        rim_thickness=rim_thickness,
+        rim_width=rim_width,
+        rim_round=rim_round,
         threads=threads,
         context=context,
     )

@@ -161,6 +161,16 @@ void describeSolid(CLI::App& app, Arguments& arguments) {
   app.add_option("--thickness-map", arguments.thicknessMap,
                  "Property of the vertices of a .ply surface: factors of the thickness")
       ->type_name("NAME");
+  app.add_option("--rim-thickness", options.rimThickness,
+                 "Thickness at the rim, which changes over --rim-width to what it is elsewhere, mm")
+      ->check(length())
+      ->type_name("T");
+  app.add_option("--rim-width", options.rimWidth, "With --rim-thickness: how far from the rim, mm")
+      ->check(length())
+      ->type_name("W");
+  app.add_option("--rim-round", options.rimRound, "Radius of the edge between shell and wall, mm")
+      ->check(length())
+      ->type_name("R");
   addChoice(app, "--side", options.side, std::vector{Side::kNegative, Side::kPositive, Side::kBoth},
             "Side of the surface for the material");
   addChoice(app, "--method", options.method, std::vector{Method::kAuto, Method::kSweep, Method::kReconstruct},
