@@ -969,6 +969,30 @@
         <source>The solid begins so far from the surface, and not at it; where there is no room it has a hole</source>
         <translation>实体从距曲面这么远处开始，而不是从曲面开始；空间不足处留有孔</translation>
     </message>
+    <message>
+        <source>Rim thickness</source>
+        <translation>边缘厚度</translation>
+    </message>
+    <message>
+        <source>Rim width</source>
+        <translation>边缘宽度</translation>
+    </message>
+    <message>
+        <source>Rim radius</source>
+        <translation>边缘圆角半径</translation>
+    </message>
+    <message>
+        <source>How thick the solid is at the rim of the surface; 0: as elsewhere</source>
+        <translation>实体在曲面边缘处的厚度；0：与其他处相同</translation>
+    </message>
+    <message>
+        <source>How far from the rim the solid is as thick as elsewhere; together with the rim thickness</source>
+        <translation>距边缘多远处实体达到其他处的厚度；与边缘厚度一起使用</translation>
+    </message>
+    <message>
+        <source>The radius of the edge between shell and wall; 0: sharp. It is as fine as the triangles at the rim</source>
+        <translation>壳与壁之间棱边的半径；0：尖锐。其精细程度取决于边缘处的三角形</translation>
+    </message>
 </context>
 <context>
     <name>ThickenPreferences</name>

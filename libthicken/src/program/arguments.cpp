@@ -368,6 +368,9 @@ Request readArguments(int argc, const char* const* argv) {
   if (!arguments.gapSurface.empty() && (!(arguments.options.gap > 0) || arguments.sheets))
     throw Error(ErrorCode::kInvalidArgument,
                 "--gap-surface writes what --gap makes of one surface; give --gap, and leave out --sheets");
+  if ((arguments.options.rimThickness || arguments.options.rimRound) && arguments.sheets)
+    throw Error(ErrorCode::kInvalidArgument,
+                "a profile of the rim would thin the solids of --sheets where they meet, too; leave out one");
   if (arguments.unit != 1 && namesItsUnit(arguments.input))
     throw Error(ErrorCode::kInvalidArgument,
                 "a 3MF file names its unit itself, and is read in it; leave out --unit");
