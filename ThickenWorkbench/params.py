@@ -164,8 +164,8 @@ def set_inputs(
     obj.Join = _choice("join", join, JOINS)
     obj.Repair = bool(repair)
     obj.Gap = gap
-    for word, length in (rim or {}).items():
-        setattr(obj, RIM[word], length)
+    for of_rim, length in (rim or {}).items():
+        setattr(obj, RIM[of_rim], length)
     obj.Simplify = _choice("simplify", simplify, SIMPLIFY)
     if smooth is not None:
         if not 0 <= smooth <= 100:
