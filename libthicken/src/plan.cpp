@@ -51,15 +51,17 @@ void requireThickness(const Options& options) {
 void requireRimProfile(const Options& options) {
   if (options.rimThickness.has_value() != options.rimWidth.has_value())
     refuse(
-        "a thickness of the rim and the width over which the solid becomes as thick elsewhere belong together: "
+        "a thickness of the rim and the width over which the solid becomes as thick elsewhere belong "
+        "together: "
         "give both or neither");
   if (options.rimThickness) requirePositive(*options.rimThickness, "thickness of the rim");
   if (options.rimWidth) requirePositive(*options.rimWidth, "width of the rim");
   if (!options.rimRound) return;
   requirePositive(*options.rimRound, "radius of the rim");
   if (const double left = thicknessRange(options).first; left <= 0)
-    refuse(fmt::format("the radius of the rim must be less than the thickness there, {:.6g} mm, not {:.6g} mm",
-                       left + *options.rimRound, *options.rimRound));
+    refuse(
+        fmt::format("the radius of the rim must be less than the thickness there, {:.6g} mm, not {:.6g} mm",
+                    left + *options.rimRound, *options.rimRound));
 }
 
 double largestCoordinate(const TriangleMesh& surface) {

@@ -34,9 +34,14 @@ Json orNull(const std::optional<double>& number) {
 }
 
 Json parameters(const Report& report) {
-  Json json{{"thickness_mm", report.thickness}, {"side", name(report.side)}, {"method", name(report.asked)},
-            {"join", name(report.join)},        {"cell_mm", nullptr},        {"threads", report.threads},
-            {"thickness_map", nullptr},         {"rim", nullptr}};
+  Json json{{"thickness_mm", report.thickness},
+            {"side", name(report.side)},
+            {"method", name(report.asked)},
+            {"join", name(report.join)},
+            {"cell_mm", nullptr},
+            {"threads", report.threads},
+            {"thickness_map", nullptr},
+            {"rim", nullptr}};
   if (report.thicknessMap)
     json["thickness_map"] = {{"least_mm", report.thicknessMap->least},
                              {"most_mm", report.thicknessMap->most},

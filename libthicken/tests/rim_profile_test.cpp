@@ -101,8 +101,8 @@ TEST(RimDistance, IsAlongTheSurfaceAndNotToAnotherSheet) {
 // In a plane Definition 2 has the shell right below every point of S, whatever the slope.
 TEST(RimProfile, OfAPlaneIsWhatTheFormulasSay) {
   const TriangleMesh sheet = plane();
-  for (const Profile& profile : {Profile{{}, {}, 1}, Profile{{}, {}, 1.9}, Profile{1, 2, {}}, Profile{3, 1, {}},
-                                 Profile{1.5, 3, 1}, Profile{0.5, 0.25, {}}})
+  for (const Profile& profile : {Profile{{}, {}, 1}, Profile{{}, {}, 1.9}, Profile{1, 2, {}},
+                                 Profile{3, 1, {}}, Profile{1.5, 3, 1}, Profile{0.5, 0.25, {}}})
     for (const Side side : {Side::kNegative, Side::kPositive, Side::kBoth}) {
       const Solid solid = thicken(sheet, options(profile, side));
       double worst = 0, highest = 0;
@@ -207,7 +207,8 @@ TEST(RimProfile, IsRefusedWhereItMakesNoSense) {
   const TriangleMesh sheet = plane();
   for (const auto& [profile, words] :
        {std::pair{Profile{1, {}, {}}, "belong together"}, std::pair{Profile{{}, 1, {}}, "belong together"},
-        std::pair{Profile{0, 1, {}}, "thickness of the rim"}, std::pair{Profile{1, -1, {}}, "width of the rim"},
+        std::pair{Profile{0, 1, {}}, "thickness of the rim"},
+        std::pair{Profile{1, -1, {}}, "width of the rim"},
         std::pair{Profile{{}, {}, std::nan("")}, "radius of the rim"},
         std::pair{Profile{{}, {}, 2}, "less than the thickness there, 2 mm"},
         std::pair{Profile{1, 1, 1}, "less than the thickness there, 1 mm"}})

@@ -67,7 +67,7 @@ struct Options {
   /// mm, > 0, given together: the thickness is rimThickness at the rim and changes to what it is elsewhere
   /// over rimWidth along the surface.
   std::optional<double> rimThickness, rimWidth;
-  /// mm, > 0 and less than the thickness and rimThickness: radius of the quarter circle between shell and wall.
+  /// mm, > 0, less than the thickness at the rim: radius of the quarter circle between shell and wall.
   std::optional<double> rimRound;
 };
 

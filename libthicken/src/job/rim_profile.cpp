@@ -26,9 +26,10 @@ double distanceOfFirstRow(const TriangleMesh& surface, const std::vector<double>
   for (VertexId v = 0; v < distance.size(); ++v)
     if (isNext[v] != 0) row.push_back(distance[v]);
   if (row.empty())
-    throw Error(ErrorCode::kInvalidArgument,
-                "all corners of the surface are on its rim, so that the thickness of the rim would be that of "
-                "the whole solid; divide the triangles of the surface, or leave out the profile of the rim");
+    throw Error(
+        ErrorCode::kInvalidArgument,
+        "all corners of the surface are on its rim, so that the thickness of the rim would be that of "
+        "the whole solid; divide the triangles of the surface, or leave out the profile of the rim");
   const auto middle = row.begin() + static_cast<std::ptrdiff_t>(row.size() / 2);
   std::nth_element(row.begin(), middle, row.end());
   return *middle;
@@ -86,8 +87,7 @@ std::vector<double> distancesToRim(const TriangleMesh& surface, double reach, in
 RimFacts addRimProfile(const TriangleMesh& surface, const Options& options, int threads,
                        std::vector<double>& r) {
   RimFacts facts{options.rimThickness, options.rimWidth, options.rimRound, std::nullopt};
-  const double reach =
-      std::max(options.rimThickness ? *options.rimWidth : 0, options.rimRound.value_or(0));
+  const double reach = std::max(options.rimThickness ? *options.rimWidth : 0, options.rimRound.value_or(0));
   const std::vector<double> distance = distancesToRim(surface, reach, threads);
   if (std::ranges::none_of(distance, [](double d) { return d == 0; })) return facts;
   facts.row = distanceOfFirstRow(surface, distance);

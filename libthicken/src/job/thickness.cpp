@@ -109,8 +109,7 @@ Thickness thicknessOf(const TriangleMesh& surface, const Options& options, std::
   for (const Triangle& t : surface.triangles)
     facts->steepest = std::max(facts->steepest, slopeOver(surface, t, r).norm());
   facts->lowered = flatten(surface, r);
-  if (hasRimProfile(options))
-    rim = addRimProfile(surface, options, threadCount(options.threads), r);
+  if (hasRimProfile(options)) rim = addRimProfile(surface, options, threadCount(options.threads), r);
   Thickness thickness(surface, std::move(r));
   facts->least = thickness.least();
   facts->most = thickness.most();

@@ -156,9 +156,9 @@ class ShellProof {
     const double slack = radius * radius + 8 * farthest * rounding_;
     tree_.near(t, farthest + 2 * rounding_, [&](TriangleId s) {
       const Vec3 q = tree_.closestOn(s, middle);
-      // The square of the distance of p from s is convex in p: at least its tangent at the middle m. That from
-      // the closest point c of m is |m − c|² + 2 (m − c)·(p − m) + |p − m|². Where the first exceeds the second
-      // for all p within the radius, no closest point of the part is in s.
+      // The square of the distance of p from s is convex in p: at least its tangent at the middle m. That
+      // from the closest point c of m is |m − c|² + 2 (m − c)·(p − m) + |p − m|². Where the first exceeds the
+      // second for all p within the radius, no closest point of the part is in s.
       const double more = (q - middle).squaredNorm() - nearest.distance * nearest.distance;
       if (more > 2 * (q - nearest.point).norm() * radius + slack) return;
       const double there = thickness_.at(s, q);

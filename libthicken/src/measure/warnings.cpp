@@ -78,12 +78,13 @@ void addRim(Report& report) {
   if (rim.round && *rim.row > kChord * *rim.round)
     coarse = fmt::format("a rounding of {:.4g} mm takes some at {:.4g} mm", *rim.round, kChord * *rim.round);
   if (rim.width && *rim.row > *rim.width)
-    coarse += fmt::format("{}a taper of {:.4g} mm takes some at that", coarse.empty() ? "" : " and ", *rim.width);
+    coarse +=
+        fmt::format("{}a taper of {:.4g} mm takes some at that", coarse.empty() ? "" : " and ", *rim.width);
   if (!coarse.empty())
-    report.warnings.push_back(
-        fmt::format("the profile of the rim is coarser than asked: the corners of the surface next to its rim "
-                    "are {:.4g} mm from it in the median, and {}; divide the triangles there, or ask for more",
-                    *rim.row, coarse));
+    report.warnings.push_back(fmt::format(
+        "the profile of the rim is coarser than asked: the corners of the surface next to its rim "
+        "are {:.4g} mm from it in the median, and {}; divide the triangles there, or ask for more",
+        *rim.row, coarse));
 }
 
 void addViolations(Report& report) {
