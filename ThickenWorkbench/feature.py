@@ -81,6 +81,9 @@ def make_thicken(
     simplify: str = "auto",
     repair: bool = False,
     gap: Any = 0,
+    rim_thickness: Any = 0,
+    rim_width: Any = 0,
+    rim_round: Any = 0,
     faces: Sequence[Any] = (),
     facets: Iterable[int] = (),
     deflection: Any = None,
@@ -94,7 +97,8 @@ def make_thicken(
     build.suggested_thickness(). `quality` is "draft", "standard" or "fine"; or give one of cell, resolution and
     tolerance. `join` is "intersection" (outside of convex edges planes go on until they meet), "arc" (they are rounded)
     or "automatic", which is arc with a tolerance and for the method "reconstruct". With `gap` the solid begins so far
-    from the surface, and keeps not that but the surface there.
+    from the surface, and keeps not that but the surface there. `rim_thickness` at the rim changes to the thickness
+    elsewhere over `rim_width`; `rim_round` is the radius of the edge between shell and wall.
 
     `faces` (names such as "Face3") choose a part of a shape, `facets` (indices) a part of a mesh;
     `deflection` is the farthest that the triangles of a shape may be from it. With output="solid" a
@@ -111,6 +115,7 @@ def make_thicken(
     inputs = dict(
         side=side, method=method, join=join, repair=repair, smooth=smooth, simplify=simplify, quality=quality,
         cell=cell, resolution=resolution, tolerance=tolerance, gap=gap,
+        rim=dict(rim_thickness=rim_thickness, rim_width=rim_width, rim_round=rim_round),
     )
     made = []
     try:

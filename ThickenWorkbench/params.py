@@ -30,6 +30,9 @@ SIMPLIFY = ["Auto", "Off", "Shell"]
 JOIN_WORD = {"Automatic": None, "Intersection": "mitre", "Arc": "round"}
 JOINS = list(JOIN_WORD)
 
+# The lengths of the profile of the rim, in the library's words, and their properties.
+RIM = {"rim_thickness": "RimThickness", "rim_width": "RimWidth", "rim_round": "RimRound"}
+
 # What decides how fine the result is, and the property that holds the number for it.
 QUALITY_NUMBER = {"Standard": None, "Draft": None, "Fine": None, "Cell": "Cell", "Resolution": "Resolution",
                   "Tolerance": "Tolerance"}  # fmt: skip
@@ -72,6 +75,9 @@ INPUTS = [
     _input("Facets", "IntegerList", "Thicken", "The facets of the Source to thicken; none: all of them"),
     _input("Thickness", "Length", "Thicken", "How thick the solid is", 1.0),
     _input("Gap", "Length", "Thicken", "The solid begins so far from the surface; 0: at the surface itself", 0.0),
+    _input("RimThickness", "Length", "Rim", "How thick the solid is at the rim of the surface; 0: as elsewhere", 0.0),
+    _input("RimWidth", "Length", "Rim", "How far from the rim the solid is as thick as elsewhere; together with RimThickness", 0.0),
+    _input("RimRound", "Length", "Rim", "The radius of the edge between shell and wall; 0: sharp", 0.0),
     _input("Side", "Enumeration", "Thicken", "Where the material lies; normals point to the positive side", SIDES),
     _input("Method", "Enumeration", "Thicken", "How the solid is computed", METHODS),
     _input("Join", "Enumeration", "Thicken", "Outside of convex edges: planes that meet (Intersection) or a rounding (Arc)", JOINS),
@@ -153,7 +159,7 @@ def show_quality(obj: Any) -> None:
 
 def set_inputs(
     obj: Any, *, side: str, method: str, join: str, repair: bool, smooth: int | None, simplify: str, quality: str,
-    gap: Any = 0, **numbers: Any,
+    gap: Any = 0, rim: dict[str, Any] | None = None, **numbers: Any,
 ) -> None:
     """Set what make_thicken() takes of numbers; of `numbers` (cell, resolution, tolerance) at most one is not None."""
     given = {name.capitalize(): value for name, value in numbers.items() if value is not None}
@@ -167,6 +173,8 @@ def set_inputs(
     obj.Join = _choice("join", join, JOINS)
     obj.Repair = bool(repair)
     obj.Gap = gap
+    for of_rim, length in (rim or {}).items():
+        setattr(obj, RIM[of_rim], length)
     obj.Simplify = _choice("simplify", simplify, SIMPLIFY)
     if smooth is not None:
         if not 0 <= smooth <= 100:
@@ -198,6 +206,7 @@ def arguments(obj: Any, thickness: Any = None) -> dict[str, Any]:
     result |= join_arguments(obj.Join)
     if obj.Gap.Value > 0:
         result["gap"] = obj.Gap.Value
+    result |= {word: length.Value for word, name in RIM.items() if (length := getattr(obj, name)).Value > 0}
     if obj.Simplify != SIMPLIFY[0]:
         result["simplify"] = obj.Simplify.lower()
     chosen = QUALITY_NUMBER[obj.Quality]

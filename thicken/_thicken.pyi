@@ -56,6 +56,9 @@ def thicken(
     threads: int = 0,
     context: RunContext | None = None,
     thickness_map: Sequence[float] = [],
+    rim_thickness: float | None = None,
+    rim_width: float | None = None,
+    rim_round: float | None = None,
 ) -> dict[str, Any]: ...
 def forecast(
     triangles: int,

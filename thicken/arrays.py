@@ -113,6 +113,17 @@ def _with_factors(thickness: ArrayLike, vertices: ArrayLike) -> tuple[Any, Any]:
     return float(lengths.max()), lengths / lengths.max()
 
 
+def _limited(context: RunContext | None, memory: float | None) -> RunContext | None:
+    """The context with a limit of so many MiB, if there is one."""
+    if memory is None:
+        return context
+    if not memory > 0:
+        raise ValueError("memory must be a number of MiB above 0")
+    context = context if context is not None else native.load().RunContext()
+    context.memory_limit = int(memory * _MIB)
+    return context
+
+
 def thicken_mesh(
     vertices: ArrayLike,
     triangles: ArrayLike,
@@ -132,6 +143,9 @@ def thicken_mesh(
     join: Literal["mitre", "round"] | None = None,
     simplify: Literal["off", "auto", "shell"] = "auto",
     gap: float = 0.0,
+    rim_thickness: float | None = None,
+    rim_width: float | None = None,
+    rim_round: float | None = None,
     threads: int = 0,
     memory: float | None = None,
     precision: Literal["single", "double"] = "single",
@@ -149,20 +163,16 @@ def thicken_mesh(
     `simplify`: triangles to merge into fewer within the tolerance: "off", "auto", those of walls and of a shell that is
     denser than the surface, or "shell", all but the surface's own.
     `gap`: the solid begins so far from the surface; `gap_surface` of the result is what it keeps then.
+    `rim_thickness` at the rim becomes `thickness` over `rim_width`; `rim_round`: radius of the edge of shell and wall.
     `memory` is a limit in MiB. `context` polls and cancels the run from another thread; Ctrl-C
     ends it as well. Other Python threads run meanwhile.
 
     Raises ThickenError for a surface that is refused and where no valid solid can be made, and
     TypeError or ValueError for arguments that make no sense.
     """
-    extension = native.load()
-    if memory is not None:
-        if not memory > 0:
-            raise ValueError("memory must be a number of MiB above 0")
-        context = context if context is not None else extension.RunContext()
-        context.memory_limit = int(memory * _MIB)
+    context = _limited(context, memory)
     thickness, factors = _with_factors(thickness, vertices)
-    solid = extension.thicken(
+    solid = native.load().thicken(
         vertices,
         triangles,
         thickness,
@@ -182,6 +192,9 @@ def thicken_mesh(
         join=join,
         simplify=simplify,
         gap=gap,
+        rim_thickness=rim_thickness,
+        rim_width=rim_width,
+        rim_round=rim_round,
         threads=threads,
         context=context,
     )

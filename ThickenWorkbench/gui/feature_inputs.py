@@ -17,7 +17,7 @@ def in_mm(value: float) -> str:
 
 def inputs_of(feature: Any) -> dict[str, Any]:
     """The inputs of a feature, as ThickenForm.inputs() has them."""
-    found = {"smooth": None, "simplify": None, "gap": None, **params.arguments(feature)}
+    found = {"smooth": None, "simplify": None, "gap": None, **dict.fromkeys(params.RIM), **params.arguments(feature)}
     found.pop("precision")
     found["join"] = None if feature.Join == params.JOINS[0] else feature.Join.lower()
     word = feature.Quality.lower()
@@ -42,9 +42,9 @@ def changes(before: dict[str, Any], after: dict[str, Any]) -> list[tuple[str, An
             value = in_mm(value)
         elif word == "smooth" and value is None:
             value = -1
-        elif word == "gap":
+        elif word == "gap" or word in params.RIM:
             value = in_mm(value or 0)
-        result.append((word.capitalize(), value))
+        result.append((params.RIM.get(word, word.capitalize()), value))
     return result
 
 

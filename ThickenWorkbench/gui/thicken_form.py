@@ -10,6 +10,7 @@ import FreeCAD as App
 from .. import params, preferences
 from ..sources import DEFAULT_DEFLECTION
 from .qt import QtWidgets, length_box, on_value, wrapped_label
+from .rim_rows import RimRows
 from .run_row import RunRow
 from .tones import tones
 
@@ -188,6 +189,7 @@ class ThickenForm:
             translate("Thicken", "Where new triangles are merged into fewer, as far as the quality allows")
         )
         rows.addRow(translate("Thicken", "Fewer triangles"), self.simplify)
+        self.rim = RimRows(rows, self._edited)
         self._add_grid_rows(rows)
         self.smooth = _named(QtWidgets.QSpinBox(), "Smooth")
         self.smooth.setRange(AUTOMATIC, 100)
@@ -251,6 +253,7 @@ class ThickenForm:
             "smooth": None if self.smooth.value() == AUTOMATIC else self.smooth.value(),
             "repair": self.repair.isChecked(),
             "gap": float(self.gap.property("rawValue")) or None,
+            **self.rim.inputs(),
             "deflection": float(self.deflection.property("rawValue")) if self._of_shape else None,
         }
 
@@ -284,6 +287,8 @@ class ThickenForm:
         self.smooth.setValue(AUTOMATIC if smooth is None else smooth)
         self.repair.setChecked(bool(inputs.get("repair")))
         self.gap.setProperty("rawValue", float(inputs.get("gap") or 0))
+        if self.rim.show(inputs):
+            self.advanced.setChecked(True)
         if self._of_shape:
             self.deflection.setProperty("rawValue", float(inputs["deflection"]))
         self._quiet = False
@@ -320,7 +325,7 @@ class ThickenForm:
         self.run_row.show_running(running)
         inputs = (self.pick, self.thickness, self.gap, self.side, self.flip, self.method, self.join, self.simplify, self.quality,
                   self.tolerance, self.grid, self.length, self.cells, self.smooth, self.deflection, self.repair, self.preview)  # fmt: skip
-        for widget in inputs:
+        for widget in (*inputs, *self.rim.boxes.values()):
             widget.setEnabled(not running)
         self.output.setEnabled(not running and not self.edits)
         self.whole.setEnabled(not running and self.has_region)

@@ -1016,6 +1016,30 @@
         <translation>Bitte den Bereich neu malen oder entfernen.</translation>
     </message>
     <message>
+        <source>Rim thickness</source>
+        <translation>Dicke am Rand</translation>
+    </message>
+    <message>
+        <source>Rim width</source>
+        <translation>Breite des Rands</translation>
+    </message>
+    <message>
+        <source>Rim radius</source>
+        <translation>Radius am Rand</translation>
+    </message>
+    <message>
+        <source>How thick the solid is at the rim of the surface; 0: as elsewhere</source>
+        <translation>Wie dick der Körper am Rand der Fläche ist; 0: wie sonst</translation>
+    </message>
+    <message>
+        <source>How far from the rim the solid is as thick as elsewhere; together with the rim thickness</source>
+        <translation>In welchem Abstand vom Rand der Körper so dick wie sonst ist; zusammen mit der Dicke am Rand</translation>
+    </message>
+    <message>
+        <source>The radius of the edge between shell and wall; 0: sharp. It is as fine as the triangles at the rim</source>
+        <translation>Radius der Kante zwischen Schale und Wand; 0: scharf. Sie wird so fein wie die Dreiecke am Rand</translation>
+    </message>
+    <message>
         <source>The surface has changed since the panel was opened. Open it again.</source>
         <translation>Die Fläche hat sich geändert, seit die Aufgabe geöffnet wurde. Bitte neu öffnen.</translation>
     </message>

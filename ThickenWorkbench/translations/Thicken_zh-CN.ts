@@ -1016,6 +1016,30 @@
         <translation>请重新涂绘该区域，或将其移除。</translation>
     </message>
     <message>
+        <source>Rim thickness</source>
+        <translation>边缘厚度</translation>
+    </message>
+    <message>
+        <source>Rim width</source>
+        <translation>边缘宽度</translation>
+    </message>
+    <message>
+        <source>Rim radius</source>
+        <translation>边缘圆角半径</translation>
+    </message>
+    <message>
+        <source>How thick the solid is at the rim of the surface; 0: as elsewhere</source>
+        <translation>实体在曲面边缘处的厚度；0：与其他处相同</translation>
+    </message>
+    <message>
+        <source>How far from the rim the solid is as thick as elsewhere; together with the rim thickness</source>
+        <translation>距边缘多远处实体达到其他处的厚度；与边缘厚度一起使用</translation>
+    </message>
+    <message>
+        <source>The radius of the edge between shell and wall; 0: sharp. It is as fine as the triangles at the rim</source>
+        <translation>壳与壁之间棱边的半径；0：尖锐。其精细程度取决于边缘处的三角形</translation>
+    </message>
+    <message>
         <source>The surface has changed since the panel was opened. Open it again.</source>
         <translation>打开面板后曲面已更改。请重新打开面板。</translation>
     </message>

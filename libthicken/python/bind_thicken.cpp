@@ -58,12 +58,17 @@ py::dict thickenArrays(const py::object& vertices, const py::object& triangles, 
                        std::optional<double> weldDistance, std::optional<double> bridge,
                        std::optional<double> fillHoles, bool strict, const std::optional<std::string>& join,
                        const std::string& simplify, double gap, int threads,
-                       const std::optional<RunContext>& context, const std::vector<double>& thicknessMap) {
+                       const std::optional<RunContext>& context, const std::vector<double>& thicknessMap,
+                       std::optional<double> rimThickness, std::optional<double> rimWidth,
+                       std::optional<double> rimRound) {
   if (!std::isfinite(thickness) || thickness <= 0)
     throw py::value_error("thickness must be a finite length above 0 mm");
   Options options;
   options.thickness = thickness;
   options.thicknessMap = thicknessMap;
+  options.rimThickness = rimThickness;
+  options.rimWidth = rimWidth;
+  options.rimRound = rimRound;
   options.side = chosen(kSides, "side", side);
   options.method = chosen(kMethods, "method", method);
   options.precision = chosen(kPrecisions, "precision", precision);
@@ -139,7 +144,8 @@ void bindThicken(py::module_& module) {
       arg("repair") = false, arg("weld") = py::none(), arg("bridge") = py::none(),
       arg("fill_holes") = py::none(), arg("strict") = false, arg("join") = py::none(),
       arg("simplify") = "auto", arg("gap") = 0.0, arg("threads") = 0, arg("context") = py::none(),
-      arg("thickness_map") = std::vector<double>(),
+      arg("thickness_map") = std::vector<double>(), arg("rim_thickness") = py::none(),
+      arg("rim_width") = py::none(), arg("rim_round") = py::none(),
       "Thicken a surface; returns a dict of vertices, triangles, region, depth, gap_surface and report.");
   module.def("forecast", &forecastOf, arg("triangles"), arg("area"), arg("thickness"), py::kw_only(),
              arg("diagonal") = 0.0, arg("side") = "negative", arg("method") = "auto",

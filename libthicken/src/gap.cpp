@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "job/rim_profile.h"
 #include "job/thickness.h"
 #include "measure/measure.h"
 #include "measure/warnings.h"
@@ -31,7 +32,7 @@ constexpr double kGapShare = 0.4;
 
 // What S is thickened to first. Its shell is round, so that it is at the gap from S beside edges of S, too.
 Options optionsOfGap(const Options& options) {
-  Options first = options;
+  Options first = withoutRimProfile(options);
   first.gap = 0;
   first.thickness = options.gap;
   first.thicknessMap.clear();

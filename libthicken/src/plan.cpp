@@ -23,7 +23,7 @@ void requirePositive(double x, const char* what) {
     refuse(fmt::format("the {} must be a positive number of millimetres, not {}", what, x));
 }
 
-// The least and the most of the thickness, mm.
+// The least and the most of the thickness, mm; at the rim it may be the less by what is rounded off.
 std::pair<double, double> thicknessRange(const Options& options) {
   double least = 1, most = 1;
   if (!options.thicknessMap.empty()) {
@@ -31,7 +31,13 @@ std::pair<double, double> thicknessRange(const Options& options) {
     least = *low;
     most = *high;
   }
-  return {options.thickness * least, options.thickness * most};
+  least *= options.thickness;
+  most *= options.thickness;
+  if (options.rimThickness) {
+    least = std::min(least, *options.rimThickness);
+    most = std::max(most, *options.rimThickness);
+  }
+  return {least - options.rimRound.value_or(0), most};
 }
 
 void requireThickness(const Options& options) {
@@ -40,6 +46,22 @@ void requireThickness(const Options& options) {
     if (const double factor = options.thicknessMap[v]; !std::isfinite(factor) || factor <= 0)
       refuse(fmt::format("the factors of the thickness must be positive numbers, and that of vertex {} is {}",
                          v, factor));
+}
+
+void requireRimProfile(const Options& options) {
+  if (options.rimThickness.has_value() != options.rimWidth.has_value())
+    refuse(
+        "a thickness of the rim and the width over which the solid becomes as thick elsewhere belong "
+        "together: "
+        "give both or neither");
+  if (options.rimThickness) requirePositive(*options.rimThickness, "thickness of the rim");
+  if (options.rimWidth) requirePositive(*options.rimWidth, "width of the rim");
+  if (!options.rimRound) return;
+  requirePositive(*options.rimRound, "radius of the rim");
+  if (const double left = thicknessRange(options).first; left <= 0)
+    refuse(
+        fmt::format("the radius of the rim must be less than the thickness there, {:.6g} mm, not {:.6g} mm",
+                    left + *options.rimRound, *options.rimRound));
 }
 
 double largestCoordinate(const TriangleMesh& surface) {
@@ -52,6 +74,7 @@ double largestCoordinate(const TriangleMesh& surface) {
 
 void requireValid(const Options& options) {
   requireThickness(options);
+  requireRimProfile(options);
   if (!std::isfinite(options.gap) || options.gap < 0)
     refuse(fmt::format("the gap must be 0 or a positive number of millimetres, not {}", options.gap));
   if (options.gap > 0 && options.side == Side::kBoth)

@@ -29,15 +29,29 @@ Json surfaceFacts(const SurfaceFacts& facts) {
           {"diagonal_mm", facts.diagonal},  {"mean_edge_mm", facts.meanEdge}};
 }
 
+Json orNull(const std::optional<double>& number) {
+  return number ? Json(*number) : Json();
+}
+
 Json parameters(const Report& report) {
-  Json json{{"thickness_mm", report.thickness}, {"side", name(report.side)}, {"method", name(report.asked)},
-            {"join", name(report.join)},        {"cell_mm", nullptr},        {"threads", report.threads},
-            {"thickness_map", nullptr}};
+  Json json{{"thickness_mm", report.thickness},
+            {"side", name(report.side)},
+            {"method", name(report.asked)},
+            {"join", name(report.join)},
+            {"cell_mm", nullptr},
+            {"threads", report.threads},
+            {"thickness_map", nullptr},
+            {"rim", nullptr}};
   if (report.thicknessMap)
     json["thickness_map"] = {{"least_mm", report.thicknessMap->least},
                              {"most_mm", report.thicknessMap->most},
                              {"steepest", report.thicknessMap->steepest},
                              {"lowered_vertices", report.thicknessMap->lowered}};
+  if (report.rim)
+    json["rim"] = {{"thickness_mm", orNull(report.rim->thickness)},
+                   {"width_mm", orNull(report.rim->width)},
+                   {"round_mm", orNull(report.rim->round)},
+                   {"row_mm", orNull(report.rim->row)}};
   if (report.cell > 0) json["cell_mm"] = report.cell;
   return json;
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "gap.h"
+#include "job/rim_profile.h"
 #include "make_solid.h"
 #include "measure/error_bound.h"
 #include "measure/warnings.h"
@@ -114,10 +115,13 @@ Solid solidOf(const TriangleMesh& surface, const ThicknessMap& map, const Surfac
   const ClosestPointTree tree(oriented, threads);
   watch.lap("tree");
   std::optional<ThicknessFacts> facts;
-  const Job job{oriented, tree, thicknessOf(oriented, options, map.on(oriented), facts), options, context,
-                threads,  watch};
+  std::optional<RimFacts> rim;
+  const Job job{oriented, tree,    thicknessOf(oriented, options, map.on(oriented), facts, rim),
+                options,  context, threads,
+                watch};
   Solid solid = makeSolid(job, surface, input);
   solid.report.thicknessMap = facts;
+  solid.report.rim = rim;
   if (!options.tolerance) return solid;
   context.enter(Stage::kMeasuring, progress::kMeasured, 1, workFor(input, options).tolerance);
   const ErrorBound bound = boundShellError(job, solid.mesh, solid.region, *options.tolerance);
@@ -133,14 +137,16 @@ std::vector<VertexId> verticesWithoutRoom(const Error& error) {
   return error.defects().front().vertices;
 }
 
-// The vertices of a surface that a sweep finds no room below.
-std::vector<VertexId> trySweep(TriangleMesh surface, const ThicknessMap& map, const Options& options,
+// The vertices of a surface that a sweep finds no room below. It may be a patch, whose rim is not that of S.
+std::vector<VertexId> trySweep(TriangleMesh surface, const ThicknessMap& map, const Options& asked,
                                const RunContext& context, int threads) {
+  const Options options = withoutRimProfile(asked);
   surface = orientedFor(options.side, std::move(surface));
   const ClosestPointTree tree(surface, threads);
   Stopwatch watch;
   std::optional<ThicknessFacts> facts;
-  const Thickness thickness = thicknessOf(surface, options, map.on(surface), facts);
+  std::optional<RimFacts> rim;
+  const Thickness thickness = thicknessOf(surface, options, map.on(surface), facts, rim);
   try {
     (void)sweep({surface, tree, thickness, options, context, threads, watch}, Polish::kNo);
   } catch (const Error& error) {

@@ -26,6 +26,7 @@ Report sampleReport() {
   report.repair->added = {6, 1.5, 1, 2, 1, {Vec3(4, 5, 6)}};
   report.thickness = 2;
   report.thicknessMap = {1, 4, 0.5, 7};
+  report.rim = {1, 5, 0.5, 0.25};
   report.side = Side::kBoth;
   report.asked = Method::kAuto;
   report.method = Method::kSweep;

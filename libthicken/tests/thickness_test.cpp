@@ -89,8 +89,10 @@ TEST(Thickness, IsNowhereSteeperThanItMayBe) {
   std::vector<double> factors;
   for (const Vec3& p : sheet.positions) factors.push_back(p.x() < 10 ? 1 : 20);
   std::optional<ThicknessFacts> facts;
-  const Thickness thickness = thicknessOf(sheet, options, factors, facts);
+  std::optional<RimFacts> rim;
+  const Thickness thickness = thicknessOf(sheet, options, factors, facts, rim);
   ASSERT_TRUE(facts);
+  EXPECT_FALSE(rim);
   EXPECT_GT(facts->steepest, 15);
   EXPECT_GT(facts->lowered, 10u);
   double steepest = 0;

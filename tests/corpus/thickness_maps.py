@@ -21,6 +21,7 @@ import tempfile
 import time
 import zlib
 from pathlib import Path
+from typing import Callable
 
 import numpy as np
 
@@ -48,25 +49,37 @@ def write_mapped(path: Path, points: np.ndarray, triangles: np.ndarray, factors:
     path.write_bytes("\n".join(header).encode() + vertex.tobytes() + face.tobytes())
 
 
-def judged(program: str, judge: str, source: Path, percent: float, options: list[str]) -> dict[str, object]:
-    points, triangles = read_mesh(source)
-    r = float(f"{percent / 100 * np.linalg.norm(np.ptp(points, axis=0)):.6g}")
+def thickness_of(points: np.ndarray, percent: float) -> float:
+    return float(f"{percent / 100 * np.linalg.norm(np.ptp(points, axis=0)):.6g}")
+
+
+def judged(
+    asked: argparse.Namespace, surface_of: tuple[np.ndarray, np.ndarray], r: float, factors: np.ndarray, options: list[str]
+) -> dict[str, object]:
+    """What the judge says of the solid that the program makes with `options`, where r times the factors is asked for."""
     with tempfile.TemporaryDirectory() as folder:
         surface, solid = Path(folder, "surface.ply"), Path(folder, "solid.ply")
-        write_mapped(surface, points, triangles, factors_of(source.stem, points))
-        command = [program, surface, solid, "--thickness", repr(r), "--thickness-map", "factor", "--quiet", *options]
+        write_mapped(surface, *surface_of, factors)
+        command = [asked.program, surface, solid, "--thickness", repr(r), "--quiet", *options, *asked.options]
         begin = time.monotonic()
         run = subprocess.run(command, capture_output=True, text=True, timeout=SECONDS)
         seconds = time.monotonic() - begin
         if run.returncode != 0:
             return {"ok": False, "error": run.stderr.strip(), "seconds": seconds}
-        command = [judge, "thicken", surface, solid, repr(r), "--samples", "20000", "--map", "factor"]
+        command = [asked.judge, "thicken", surface, solid, repr(r), "--samples", "20000", "--map", "factor"]
         told = subprocess.run(command, capture_output=True, text=True, timeout=SECONDS).stdout
         return {**json.loads(told.splitlines()[-1]), "seconds": seconds}
 
 
-def main() -> int:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+def judge_mapped(asked: argparse.Namespace, source: Path) -> dict[str, object]:
+    points, triangles = read_mesh(source)
+    r, factors = thickness_of(points, asked.percent), factors_of(source.stem, points)
+    return judged(asked, (points, triangles), r, factors, ["--thickness-map", "factor"])
+
+
+def survey(description: str, row_of: Callable[[argparse.Namespace, Path], dict[str, object]]) -> int:
+    """A row for each surface that the command line names, and what they come to."""
+    parser = argparse.ArgumentParser(description=description)
     parser.add_argument("program")
     parser.add_argument("folder", type=Path)
     parser.add_argument("--judge", required=True)
@@ -78,7 +91,7 @@ def main() -> int:
     sources = sources[:: max(1, len(sources) // asked.count)][: asked.count]
     rows = []
     for source in sources:
-        row = judged(asked.program, asked.judge, source, asked.percent, asked.options)
+        row = row_of(asked, source)
         rows.append(row)
         figures = "  ".join(f"{name} {row[name]:.4f}" for name in FIGURES if name in row)
         print(f"{source.stem}: {'ok' if row['ok'] else row.get('error', 'wrong')}  {figures}  {row['seconds']:.1f} s", flush=True)
@@ -92,4 +105,4 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(survey(__doc__.splitlines()[0], judge_mapped))

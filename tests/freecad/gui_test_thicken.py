@@ -109,6 +109,29 @@ class Panel(GuiCase):
         self.ok()
         self.assertEqual(feature.Join, "Automatic")
 
+    def test_a_rim_is_asked_for_and_shown_again(self):
+        panel = self.open(self.add_mesh(plate()))
+        for name, value in (("Thickness", 3.0), ("RimThickness", 1.0), ("RimWidth", 4.0)):
+            self.child(panel, name).setProperty("rawValue", value)
+        self.child(panel, "Advanced").setChecked(True)
+        self.wait_preview(panel)
+        self.picture("thicken-rim")
+        with mock.patch("ThickenWorkbench.core.precomputed.thicken_mesh", side_effect=AssertionError("computed again")):
+            self.ok()
+        feature = self.doc.getObject("Thicken")
+        self.assertTrue(feature.Valid, feature.getStatusString())
+        self.assertEqual([feature.getPropertyByName(f"Rim{name}").Value for name in ("Thickness", "Width", "Round")], [1, 4, 0])
+        Gui.getDocument(self.doc.Name).setEdit(feature.Name, 0)
+        process_events()
+        panel = editing.current()
+        self.assertTrue(self.child(panel, "Advanced").isChecked())
+        self.assertEqual(self.child(panel, "RimWidth").property("rawValue"), 4)
+        for name in ("RimThickness", "RimWidth"):
+            self.child(panel, name).setProperty("rawValue", 0.0)
+        self.ok()
+        self.assertEqual((feature.RimThickness.Value, feature.RimWidth.Value), (0, 0))
+        self.assertAlmostEqual(feature.Volume.Value, 20 * 20 * 3, delta=0.1)
+
     def test_merging_is_asked_for_and_shown_again(self):
         panel = self.open(self.add_mesh(plate()))
         self.child(panel, "Simplify").setCurrentIndex(1)

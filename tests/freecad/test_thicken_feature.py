@@ -71,6 +71,30 @@ class Create(DocumentCase):
         with self.assertRaises(ValueError):
             ThickenWorkbench.make_thicken(self.doc, source, 2, join="bevel")
 
+    def test_rim(self):
+        """Corners of the plate are 2 mm apart."""
+        feature = ThickenWorkbench.make_thicken(
+            self.doc, self.add_source(plate(size=20)), 3, rim_thickness="1 mm", rim_width=4
+        )
+
+        def depths():
+            points = corners(feature.Mesh).reshape(-1, 3)
+            points = points[points[:, 2] < 0]
+            from_rim = np.min([points[:, :2] - points[:, :2].min(axis=0), points[:, :2].max(axis=0) - points[:, :2]], axis=(0, 2))
+            return [-points[np.isclose(from_rim, d), 2].min() for d in (0, 2, 4, 6)]
+
+        self.assert_solid(feature)
+        np.testing.assert_allclose(depths(), [1, 2, 3, 3], atol=1e-4)
+        self.assertEqual(list(feature.Warnings), [])
+        feature.RimThickness, feature.RimWidth, feature.RimRound = 0, 0, 2
+        self.doc.recompute()
+        self.assert_solid(feature)
+        np.testing.assert_allclose(depths(), [1, 3, 3, 3], atol=1e-4)
+        self.assertIn("coarser than asked", "".join(feature.Warnings))
+        feature.RimRound = 3
+        self.doc.recompute()
+        self.assertIn("less than the thickness", feature.getStatusString())
+
     def test_suggests_a_thickness(self):
         feature = ThickenWorkbench.make_thicken(self.doc, self.add_source(plate(size=20)))
         self.assertEqual(feature.Thickness.Value, 0.6)  # 2 % of 28.28…, one digit

@@ -50,6 +50,23 @@ class Result(unittest.TestCase):
         self.assertAlmostEqual(told["most_mm"], 1.5)
         self.assertLess(volume(solid.vertices[solid.triangles]), volume(plain.vertices[plain.triangles]))
 
+    def test_rim_may_have_a_profile(self):
+        vertices, triangles = plate(20.0, 41)
+        solid = thicken_mesh(vertices, triangles, 2, rim_thickness=1.5, rim_width=4, rim_round=1)
+        corners = solid.vertices[solid.triangles]
+        self.assertTrue(is_closed_and_oriented(corners))
+        self.assertTrue(keeps(corners, vertices[triangles]))
+        self.assertEqual(solid.report["parameters"]["rim"],
+                         {"thickness_mm": 1.5, "width_mm": 4, "round_mm": 1, "row_mm": 0.5})  # fmt: skip
+        low, high = vertices[:, :2].min(axis=0), vertices[:, :2].max(axis=0)
+        shell = solid.vertices[np.unique(solid.triangles[solid.region == Region.SHELL])]
+        for d, depth in ((0, 0.5), (0.5, 1.5625 - (1 - np.sqrt(0.75))), (1, 1.625), (2, 1.75), (4, 2), (8, 2)):
+            at = np.isclose(np.minimum(shell[:, :2] - low, high - shell[:, :2]).min(axis=1), d)
+            self.assertTrue(at.any())
+            np.testing.assert_allclose(np.abs(shell[at, 2]), depth, atol=1e-5)
+        with self.assertRaisesRegex(ThickenError, "belong together"):
+            thicken_mesh(vertices, triangles, 2, rim_thickness=1)
+
     def test_is_forecast(self):
         surface = saddle()
         for side in ("negative", "both"):

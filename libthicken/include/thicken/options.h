@@ -64,6 +64,11 @@ struct Options {
   bool strict = false;  ///< refuse a solid that lost too much or is mostly too thin (docs/repair.md)
   Simplify simplify = Simplify::kAuto;
   int threads = 0;  ///< 0: all that the machine has
+  /// mm, > 0, given together: the thickness is rimThickness at the rim and changes to what it is elsewhere
+  /// over rimWidth along the surface.
+  std::optional<double> rimThickness, rimWidth;
+  /// mm, > 0, less than the thickness at the rim: radius of the quarter circle between shell and wall.
+  std::optional<double> rimRound;
 };
 
 [[nodiscard]] std::string_view name(Side side) noexcept;

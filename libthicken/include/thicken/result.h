@@ -74,10 +74,18 @@ struct GapFacts {
   SurfaceFacts surface;            ///< of the gap surface
 };
 
-/// A thickness that varies (Options::thicknessMap), as the solid has it.
+/// The profile of the rim (Options::rimThickness, rimRound).
+struct RimFacts {
+  std::optional<double> thickness, width, round;  ///< mm, as asked
+  /// mm: the median distance of the vertices next to the rim, which no part of a profile can be finer than;
+  /// nothing where there is no rim
+  std::optional<double> row;
+};
+
+/// A thickness that varies (Options::thicknessMap, rimThickness, rimRound), as the solid has it.
 struct ThicknessFacts {
   double least = 0, most = 0;  ///< mm
-  double steepest = 0;         ///< mm per mm along the surface, as it was asked for
+  double steepest = 0;         ///< mm per mm along the surface, as the map asked for
   std::size_t lowered = 0;     ///< vertices where it was made less, since it was steeper than 1
 };
 
@@ -87,7 +95,7 @@ struct Report {
   std::optional<RepairFacts> repair;  ///< with Options::repair: what was done to it
   std::optional<GapFacts> gap;        ///< with Options::gap; what follows is about the gap surface, not S
   double thickness = 0;               ///< mm
-  std::optional<ThicknessFacts> thicknessMap;  ///< where there is one
+  std::optional<ThicknessFacts> thicknessMap;  ///< where it varies
   Side side = Side::kNegative;
   Join join = Join::kMitre;                    ///< that was made
   Method asked = Method::kAuto;                ///< as it was asked for
@@ -131,6 +139,7 @@ struct Report {
   SimplifyFacts simplify;
   AuditFacts audit;
   std::vector<std::string> warnings;  ///< complete sentences
+  std::optional<RimFacts> rim;        ///< where the rim has a profile
 };
 
 struct Solid {

@@ -7,7 +7,9 @@
 #include <queue>
 #include <utility>
 
+#include "job/rim_profile.h"
 #include "mesh/topology.h"
+#include "parallel/parallel_for.h"
 
 namespace thicken {
 
@@ -98,14 +100,16 @@ Thickness Thickness::of(const TriangleMesh& part, std::span<const VertexId> vert
 }
 
 Thickness thicknessOf(const TriangleMesh& surface, const Options& options, std::span<const double> factors,
-                      std::optional<ThicknessFacts>& facts) {
-  if (factors.empty()) return Thickness(options.thickness);
+                      std::optional<ThicknessFacts>& facts, std::optional<RimFacts>& rim) {
+  if (factors.empty() && !hasRimProfile(options)) return Thickness(options.thickness);
   std::vector<double> r;
+  if (factors.empty()) r.assign(surface.positions.size(), options.thickness);
   for (const double factor : factors) r.push_back(options.thickness * factor);
   facts.emplace();
   for (const Triangle& t : surface.triangles)
     facts->steepest = std::max(facts->steepest, slopeOver(surface, t, r).norm());
   facts->lowered = flatten(surface, r);
+  if (hasRimProfile(options)) rim = addRimProfile(surface, options, threadCount(options.threads), r);
   Thickness thickness(surface, std::move(r));
   facts->least = thickness.least();
   facts->most = thickness.most();

@@ -55,8 +55,10 @@ class Thickness {
 inline constexpr double kSteepest = 1;
 
 /// What `options` ask for on `surface`, with the `factors` of its vertices (empty: 1 everywhere), nowhere
-/// steeper than kSteepest: thick places become thinner for that. Tells `facts` what came of it.
+/// steeper than kSteepest: thick places become thinner for that. The profile of the rim, which comes on top
+/// of it, may be steeper: a wall is next to it. Tells `facts` and `rim` what came of it.
 [[nodiscard]] Thickness thicknessOf(const TriangleMesh& surface, const Options& options,
-                                    std::span<const double> factors, std::optional<ThicknessFacts>& facts);
+                                    std::span<const double> factors, std::optional<ThicknessFacts>& facts,
+                                    std::optional<RimFacts>& rim);
 
 }  // namespace thicken

@@ -152,8 +152,16 @@ class ShellProof {
     const Vec3 middle = middleOf(t);
     const double radius = radiusOf(t, middle);
     Range range{thickness_.most(), thickness_.least()};
+    const ClosestPoint nearest = *tree_.closest(middle);
+    const double slack = radius * radius + 8 * farthest * rounding_;
     tree_.near(t, farthest + 2 * rounding_, [&](TriangleId s) {
-      const double there = thickness_.at(s, tree_.closestOn(s, middle));
+      const Vec3 q = tree_.closestOn(s, middle);
+      // The square of the distance of p from s is convex in p: at least its tangent at the middle m. That
+      // from the closest point c of m is |m − c|² + 2 (m − c)·(p − m) + |p − m|². Where the first exceeds the
+      // second for all p within the radius, no closest point of the part is in s.
+      const double more = (q - middle).squaredNorm() - nearest.distance * nearest.distance;
+      if (more > 2 * (q - nearest.point).norm() * radius + slack) return;
+      const double there = thickness_.at(s, q);
       const double change = thickness_.slope(s).norm() * radius;
       range.least = std::min(range.least, there - change);
       range.most = std::max(range.most, there + change);

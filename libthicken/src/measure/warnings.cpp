@@ -64,6 +64,29 @@ void addSteepness(Report& report) {
       report.thicknessMap->steepest, report.thicknessMap->lowered));
 }
 
+// A profile of the rim is as fine as the triangles of the surface there.
+void addRim(Report& report) {
+  if (!report.rim) return;
+  const RimFacts& rim = *report.rim;
+  if (!rim.row) {
+    report.warnings.emplace_back("the surface has no rim, and what was asked for the rim changes nothing");
+    return;
+  }
+  // Two chords stay within 0.13 of the radius of a quarter circle; one has 0.29.
+  constexpr double kChord = 0.5;
+  std::string coarse;
+  if (rim.round && *rim.row > kChord * *rim.round)
+    coarse = fmt::format("a rounding of {:.4g} mm takes some at {:.4g} mm", *rim.round, kChord * *rim.round);
+  if (rim.width && *rim.row > *rim.width)
+    coarse +=
+        fmt::format("{}a taper of {:.4g} mm takes some at that", coarse.empty() ? "" : " and ", *rim.width);
+  if (!coarse.empty())
+    report.warnings.push_back(fmt::format(
+        "the profile of the rim is coarser than asked: the corners of the surface next to its rim "
+        "are {:.4g} mm from it in the median, and {}; divide the triangles there, or ask for more",
+        *rim.row, coarse));
+}
+
 void addViolations(Report& report) {
   for (const Fallback& f : report.fallbacks)
     if (f.stage == "internal")
@@ -119,6 +142,7 @@ void addWarnings(Report& report) {
   if (auto repaired = repairWarning(report)) report.warnings.push_back(*std::move(repaired));
   addUnits(report);
   addSteepness(report);
+  addRim(report);
   addThinPlaces(report);
   addThinThrough(report);
   addParts(report);

@@ -161,6 +161,16 @@ void describeSolid(CLI::App& app, Arguments& arguments) {
   app.add_option("--thickness-map", arguments.thicknessMap,
                  "Property of the vertices of a .ply surface: factors of the thickness")
       ->type_name("NAME");
+  app.add_option("--rim-thickness", options.rimThickness,
+                 "Thickness at the rim, which changes over --rim-width to what it is elsewhere, mm")
+      ->check(length())
+      ->type_name("T");
+  app.add_option("--rim-width", options.rimWidth, "With --rim-thickness: how far from the rim, mm")
+      ->check(length())
+      ->type_name("W");
+  app.add_option("--rim-round", options.rimRound, "Radius of the edge between shell and wall, mm")
+      ->check(length())
+      ->type_name("R");
   addChoice(app, "--side", options.side, std::vector{Side::kNegative, Side::kPositive, Side::kBoth},
             "Side of the surface for the material");
   addChoice(app, "--method", options.method, std::vector{Method::kAuto, Method::kSweep, Method::kReconstruct},
@@ -358,6 +368,9 @@ Request readArguments(int argc, const char* const* argv) {
   if (!arguments.gapSurface.empty() && (!(arguments.options.gap > 0) || arguments.sheets))
     throw Error(ErrorCode::kInvalidArgument,
                 "--gap-surface writes what --gap makes of one surface; give --gap, and leave out --sheets");
+  if ((arguments.options.rimThickness || arguments.options.rimRound) && arguments.sheets)
+    throw Error(ErrorCode::kInvalidArgument,
+                "a profile of the rim would thin the solids of --sheets where they meet, too; leave out one");
   if (arguments.unit != 1 && namesItsUnit(arguments.input))
     throw Error(ErrorCode::kInvalidArgument,
                 "a 3MF file names its unit itself, and is read in it; leave out --unit");
