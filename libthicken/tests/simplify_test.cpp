@@ -209,6 +209,28 @@ TEST(Simplify, TurnsTheLongestEdgesOfCaps) {
   EXPECT_TRUE(links.isClosedManifold());
 }
 
+// There the rim has a wall above it and one below, and both would be better with its edge turned.
+TEST(Simplify, TurnsNoRimEdgeBetweenTwoWalls) {
+  TriangleMesh s;
+  s.positions = {{0, 0, 0}, {10, 0, 0}, {5, 10, 0}};
+  s.triangles = {{0, 1, 2}};
+  TriangleMesh solid{s.positions, {}};
+  for (const double z : {1, -1})
+    for (const Vec3& p : s.positions) solid.positions.emplace_back(p + Vec3(0, 0, z));
+  solid.positions.emplace_back(5, 0, 0.01f);  // of the shell above, as deep down as the rim nearly
+  solid.triangles = {{0, 1, 9}, {1, 4, 9}, {0, 9, 3}, {1, 2, 4}, {2, 5, 4}, {2, 0, 5}, {0, 3, 5}, {1, 0, 6},
+                     {1, 6, 7}, {2, 1, 7}, {2, 7, 8}, {0, 2, 8}, {0, 8, 6}, {3, 9, 5}, {9, 4, 5}, {6, 8, 7}};
+  std::vector<Region> region(solid.triangles.size(), Region::kWall);
+  std::fill_n(region.end() - 3, 3, Region::kShell);
+  Options both = options(1, Simplify::kAuto);
+  both.side = Side::kBoth;
+  const OwnJob own(s, both);
+  (void)simplify(own.job, solid, region, Simplify::kAuto);
+  EXPECT_TRUE(std::ranges::any_of(solid.triangles, [](const Triangle& t) {
+    return std::ranges::count(t, VertexId{0}) + std::ranges::count(t, VertexId{1}) == 2;
+  }));
+}
+
 // Else the progress stands still meanwhile.
 TEST(Simplify, CountsTheEdgesThatItTries) {
   const TriangleMesh s = rounded(plane(40, 10));

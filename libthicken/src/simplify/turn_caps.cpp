@@ -23,6 +23,9 @@ void Collapse::turnEdge(TriangleId t) {
   for (int k = 1; k < 3; ++k)
     if ((corner[(k + 1) % 3] - corner[k]).norm() > (corner[(longest + 1) % 3] - corner[longest]).norm())
       longest = k;
+  // On both sides rim edges of S lie within the wall.
+  const Triangle& ends = mesh_.triangles[t];
+  if (job_.options.side == Side::kBoth && ends[longest] < fixed_ && ends[(longest + 1) % 3] < fixed_) return;
   const TriangleId other = links_.neighbour(t, longest);
   if (region_[other] != region_[t] || !links_.canTurn(t, longest)) return;
   gatherNone();
