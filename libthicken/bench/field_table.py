@@ -11,11 +11,12 @@ from __future__ import annotations
 
 import argparse
 import json
-import os
 import re
 import subprocess
 import tempfile
 from pathlib import Path
+
+from measured_run import measured_run
 
 CASES = (
     ("ring_quads.ply", ".ply", "--thickness 2 --side positive"),
@@ -45,6 +46,9 @@ def facts(report: dict) -> str:
     told = [f"{output['triangles']:,} triangles"]
     if output.get("parts", 1) > 1:
         told.append(f"{output['parts']} parts")
+    mended = report.get("repair") or {}
+    if mended.get("removed_area_mm2"):
+        told.append(f"{100 * mended['removed_area_mm2'] / report['input']['area_mm2']:.3g} % removed")
     if "mm" in wall:
         told.append(f"wall {wall['mm']:.3g} mm")
     if report.get("thin_share"):
@@ -52,25 +56,30 @@ def facts(report: dict) -> str:
     return ", ".join(told)
 
 
-def cell(program: str, source: Path, suffix: str, asked: str, limit: int) -> str:
+def verdict(judge: str, solid: Path, surface: Path, asked: str) -> str:
+    """What the judge says of a solid on a surface."""
+    words = asked.split()
+    side = words[words.index("--side") :][:2] if "--side" in words else []
+    judged = subprocess.run([judge, "thicken", surface, solid, words[words.index("--thickness") + 1], "--samples", "1000", *side],
+                            capture_output=True)  # fmt: skip
+    return "valid" if judged.returncode == 0 else "INVALID"
+
+
+def cell(program: str, source: Path, suffix: str, asked: str, limit: int, judge: str) -> str:
     with tempfile.TemporaryDirectory() as folder:
-        solid, report = Path(folder, "solid" + suffix), Path(folder, "report.json")
-        command = [program, str(source), str(solid), *asked.split(), "--threads", "1", "--report", str(report)]
-        process = subprocess.Popen(["bash", "-c", 'ulimit -t "$0"; exec "$@"', str(limit), *command], stderr=subprocess.PIPE,
-                                   stdout=subprocess.DEVNULL, text=True)  # fmt: skip
-        said = process.stderr.read()
-        process.stderr.close()
-        _, status, usage = os.wait4(process.pid, 0)
-        process.returncode = os.waitstatus_to_exitcode(status)
-        said = said.replace(f'"{source}": ', "").replace(str(source), source.name)
+        solid, report, repaired = Path(folder, "solid" + suffix), Path(folder, "report.json"), Path(folder, "repaired.ply")
+        command = [program, source, solid, *asked.split(), "--threads", "1", "--report", report]
+        run = measured_run(command + (["--repaired", repaired] if "--repair" in asked else []), limit)
+        said = run.said.replace(f'"{source}": ', "").replace(str(source), source.name)
         warnings = re.findall(r"^thicken: warning: (.*)", said, re.MULTILINE)
-        seconds = f"{usage.ru_utime + usage.ru_stime:.2g} s"
-        if process.returncode < 0:
+        if run.status < 0:
             return f"ended after {limit} s"
-        if process.returncode:
+        if run.status:
             sentences = re.findall(r"^thicken: (?!warning)(.*)", said, re.MULTILINE)
-            return f"{process.returncode}: {sentences[-1] if sentences else said.strip()}"
-        made = f"{facts(json.loads(report.read_text()))}, {seconds}"
+            return f"{run.status}: {sentences[-1] if sentences else said.strip()}"
+        made = f"{facts(json.loads(report.read_text()))}, {run.seconds:.2g} s"
+        if judge:
+            made += f", judged {verdict(judge, solid, repaired if repaired.exists() else source, asked)}"
         return "; ".join([made, *("*" + warning + "*" for warning in warnings)])
 
 
@@ -80,12 +89,13 @@ def main() -> None:
     parser.add_argument("before")
     parser.add_argument("after")
     parser.add_argument("--only", default="", help="cases with this in their name")
+    parser.add_argument("--judge", default="", help="the judge, as developing.md builds it")
     parser.add_argument("--seconds", type=int, default=300, help="of the processor, after which a run is ended")
     options = parser.parse_args()
     print("| case | asked | before | after |\n|---|---|---|---|")
     for name, suffix, asked in CASES:
         if options.only in name:
-            cells = [cell(program, options.folder / name, suffix, asked, options.seconds).replace("|", "\\|")
+            cells = [cell(program, options.folder / name, suffix, asked, options.seconds, options.judge).replace("|", "\\|")
                      for program in (options.before, options.after)]  # fmt: skip
             print(f"| `{name}` to `{suffix}` | `{asked}` | {cells[0]} | {cells[1]} |", flush=True)
 

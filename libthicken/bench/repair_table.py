@@ -12,14 +12,14 @@ first program did.
 from __future__ import annotations
 
 import json
-import os
 import re
-import resource
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 from typing import Any
+
+from measured_run import measured_run
 
 SECONDS = 600  # of the processor, for a run
 LEAST_MORE = 1e-9  # share of the area: less is the rounding of a sum
@@ -36,11 +36,8 @@ def read_json(path: Path) -> dict[str, Any]:
 
 def run(command: list[Any]) -> tuple[int, float, str]:
     """Exit status, seconds of the processor, and the last line of what it said."""
-    process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, errors="replace",
-                               preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS)))  # fmt: skip
-    said = process.stderr.read().splitlines()
-    _, status, used = os.wait4(process.pid, 0)
-    return os.waitstatus_to_exitcode(status), used.ru_utime + used.ru_stime, said[-1] if said else ""
+    made = measured_run(command, SECONDS)
+    return made.status, made.seconds, (made.said.splitlines() or [""])[-1]
 
 
 def facts_of(program: str, path: Path, folder: Path) -> dict[str, Any]:

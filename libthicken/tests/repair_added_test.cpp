@@ -4,14 +4,20 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <set>
+#include <utility>
 
 #include "cut_surfaces.h"
 #include "mesh/float_lattice.h"
 #include "plain_shapes.h"
 #include "repair/borders.h"
+#include "repair/folds.h"
+#include "repair/ledger.h"
+#include "repair/notches.h"
 #include "repair_options.h"
 #include "thicken/sheets.h"
 #include "thicken/thicken.h"
@@ -271,10 +277,67 @@ TEST(RepairBorders, LoseTheirTeethAndNothingElse) {
   for (TriangleId t = 24; t < 36; ++t)
     if (t != 28) piece.remove(t, RepairKind::kSelfIntersecting);
   piece.remove(0, RepairKind::kDuplicate);  // which leaves no hole: there is another
-  repairing::smoothBorders(piece);
+  repairing::smoothBorders(piece, piece.area(28) / 2);
+  EXPECT_EQ(piece.present[28], 1);  // it costs more than that
+  repairing::smoothBorders(piece, piece.area(28));
   EXPECT_EQ(piece.present[28], 0);
   EXPECT_EQ(piece.reason[28], RepairKind::kSmoothed);
   EXPECT_EQ(std::count(piece.present.begin(), piece.present.end(), 1), 72 - 12 - 1);
+}
+
+// A sheet without a triangle of its middle, and a thorn in that place, whose foot is `reach` of the way from
+// the corner between two neighbours to the middle of the third edge.
+repairing::Workpiece sheetWithThorn(TriangleId hole, double reach) {
+  TriangleMesh mesh = shapes::flatSheet(6, 6, 0);
+  const Triangle c = mesh.triangles[hole];
+  const Vec3 a = mesh.positions[c[0]], b = 0.5 * (mesh.positions[c[1]] + mesh.positions[c[2]]);
+  const Vec3 foot = a + reach * (b - a), along = 0.01 * (mesh.positions[c[2]] - mesh.positions[c[1]]);
+  const auto first = static_cast<VertexId>(mesh.positions.size());
+  mesh.positions.insert(mesh.positions.end(),
+                        {foot - along + Vec3(0, 0, 1), foot + along + Vec3(0, 0, 1), foot - Vec3(0, 0, 1)});
+  mesh.triangles.push_back({first, first + 1, first + 2});
+  repairing::Workpiece piece(mesh);
+  piece.remove(hole, RepairKind::kSelfIntersecting);
+  return piece;
+}
+
+TEST(RepairNotches, AreFilledAsFarAsAWallHasRoom) {
+  const std::array<std::pair<double, double>, 2> shares{{{0.6, 1.0 / 3}, {0.9, 0.5}}};
+  for (const auto& [reach, share] : shares) {
+    repairing::Workpiece piece = sheetWithThorn(30, reach);
+    const double whole = piece.area(30), back = repairing::fillNotches(piece, 1);
+    EXPECT_NEAR(back, share * whole, 1e-12);
+    const RepairResult result = repairing::packed(piece, 0, {});
+    EXPECT_NEAR(result.facts.removedArea, whole - back, 1e-12);
+    EXPECT_TRUE(check(result.mesh).valid());
+  }
+}
+
+TEST(RepairNotches, OfWhatIsThereTwiceAreNone) {
+  repairing::Workpiece piece = sheetWithThorn(30, 0.9);
+  piece.reason[30] = RepairKind::kDuplicate;
+  EXPECT_EQ(repairing::fillNotches(piece, 1), 0);
+}
+
+TEST(RepairFolds, LoseNoMoreThanAWallNeeds) {
+  RepairResult before;
+  before.mesh = shapes::flatSheet(20, 20, 0);
+  before.origin.resize(before.mesh.triangles.size());
+  std::iota(before.origin.begin(), before.origin.end(), 0u);
+  const VertexId stuck = 21 * 5 + 5, free = 21 * 15 + 15;
+  const Vec3 place = before.mesh.positions[stuck];
+  // No wall fits as long as all six triangles around one of the two are there.
+  repairing::FoldOpener folds([&](const TriangleMesh& patch) {
+    std::map<VertexId, int> around;
+    for (const Triangle& t : patch.triangles)
+      for (const VertexId v : t)
+        if (patch.positions[v] == place) ++around[v];
+    std::vector<VertexId> named;
+    for (const auto& [v, count] : around)
+      if (count == 6) named.push_back(v);
+    return named;
+  });
+  EXPECT_EQ(folds.open(before, std::vector<VertexId>{stuck, free}, {}, 1).facts.removed, 1u);
 }
 
 // A wall on a floor: at its foot three triangles meet.

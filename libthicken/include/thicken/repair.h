@@ -7,7 +7,7 @@
 // Guarantee: the result is empty of every defect that check() knows. No corner moves but those that
 // are welded to another. Every triangle of the result is one of the input, in either sense and with welded
 // corners, or a part of one, or, where that is asked for, one that was added between rims. Parts are divided
-// at corners of other rims, or cut off where a sheet ends beside another: the new corners there are rounded.
+// at corners of other rims, or cut off beside sheets or where triangles met, at new, rounded corners.
 // A valid surface comes back as it was, bit for bit, unless rims of it are joined, bridged or filled.
 #pragma once
 

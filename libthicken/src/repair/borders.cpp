@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "repair/borders.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "mesh/half_edges.h"
+#include "repair/notches.h"
 
 namespace thicken::repairing {
 namespace {
@@ -9,20 +13,15 @@ namespace {
 // A tooth is a triangle or two; more rounds would take a whole strip, triangle by triangle.
 constexpr int kRounds = 2;
 
-bool leavesAHole(RepairKind why) {
-  return removes(why) && why != RepairKind::kDuplicate && why != RepairKind::kDegenerate &&
-         why != RepairKind::kNotFinite;
-}
-
 }  // namespace
 
-void smoothBorders(Workpiece& piece) {
+void smoothBorders(Workpiece& piece, double most) {
   const std::size_t count = piece.mesh.triangles.size();
   std::vector<std::uint8_t> known(count);
   for (TriangleId t = 0; t < count; ++t) known[t] = piece.present[t] != 0 || leavesAHole(piece.reason[t]);
   const HalfEdges edges(piece.mesh.positions.size(), piece.mesh.triangles, known);
   for (int round = 0; round < kRounds; ++round) {
-    std::vector<TriangleId> teeth;
+    std::vector<std::pair<double, TriangleId>> teeth;
     for (TriangleId t = 0; t < count; ++t) {
       if (piece.present[t] == 0) continue;
       int holes = 0;
@@ -34,10 +33,14 @@ void smoothBorders(Workpiece& piece) {
             if (e.triangle() != t) (piece.present[e.triangle()] != 0 ? kept : gone) = true;
         holes += gone && !kept;
       }
-      if (holes >= 2) teeth.push_back(t);
+      if (holes >= 2) teeth.emplace_back(piece.area(t), t);
     }
-    if (teeth.empty()) return;
-    for (const TriangleId t : teeth) piece.remove(t, RepairKind::kSmoothed);
+    std::sort(teeth.begin(), teeth.end());
+    for (const auto& [area, t] : teeth) {
+      if (area > most) return;
+      most -= area;
+      piece.remove(t, RepairKind::kSmoothed);
+    }
   }
 }
 

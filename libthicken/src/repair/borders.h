@@ -7,8 +7,9 @@
 
 namespace thicken::repairing {
 
-/// Removes triangles of which two edges border on triangles that were removed, until the borders are straight
-/// runs, in a bounded number of rounds. A valid surface stays valid: what goes has one neighbour at most.
-void smoothBorders(Workpiece& piece);
+/// Removes triangles of which two edges border on triangles that were removed, the smallest first, as long as
+/// they have no more than `most` mm² together, in a bounded number of rounds. A valid surface stays valid:
+/// what goes has one neighbour at most.
+void smoothBorders(Workpiece& piece, double most);
 
 }  // namespace thicken::repairing

@@ -8,12 +8,15 @@
 #include "repair/fans.h"
 #include "repair/ledger.h"
 #include "repair/patch.h"
+#include "repair/put_back.h"
 #include "thicken/check.h"
 
 namespace thicken::repairing {
 namespace {
 
 constexpr int kMostTrials = 8;
+// Each takes a trial. The largest triangles are most of the area.
+constexpr std::size_t kMostReturns = 16;
 
 Vec3 areaVector(const TriangleMesh& mesh, TriangleId t) {
   const Triangle& c = mesh.triangles[t];
@@ -107,18 +110,38 @@ std::vector<VertexId> FoldOpener::stuckNear(const Workpiece& piece, const Vertex
   return stuck;
 }
 
+void FoldOpener::putBackLargest(Workpiece& piece, const VertexTriangles& around) const {
+  std::vector<std::pair<double, TriangleId>> gone;
+  for (TriangleId t = 0; t < piece.present.size(); ++t)
+    if (piece.present[t] == 0) gone.emplace_back(-piece.area(t), t);
+  std::sort(gone.begin(), gone.end());
+  gone.resize(std::min(gone.size(), kMostReturns));
+  const MeetingGraph none(piece.present.size(), {});
+  std::vector<std::uint8_t> candidate(piece.present.size(), 0);
+  for (const auto& [area, t] : gone) {
+    candidate[t] = 1;
+    putBack(piece, around, none, candidate);
+    candidate[t] = 0;
+    if (piece.present[t] != 0 && !stuckNear(piece, around, piece.mesh.triangles[t]).empty())
+      piece.remove(t, piece.reason[t]);
+  }
+}
+
 RepairResult FoldOpener::open(const RepairResult& before, std::span<const VertexId> vertices,
                               const RunContext& context, int threads) {
   Workpiece piece(before.mesh);
   piece.origin = before.origin;
   const VertexTriangles around = vertexTriangles(piece.mesh.positions.size(), piece.mesh.triangles);
   std::vector<VertexId> stuck(vertices.begin(), vertices.end());
+  const bool first = named_.empty();
   for (int trial = 0; !stuck.empty() && trial < kMostTrials; ++trial) {
     context.throwIfCancelled();
     removeAt(piece, around, stuck);
     stuck = stuckNear(piece, around, stuck);
   }
   if (!stuck.empty()) removeAt(piece, around, stuck);
+  // Later ones would come back, and be named again, in turn.
+  if (first) putBackLargest(piece, around);
   return provedResult(piece, before.facts, context, threads);
 }
 

@@ -43,6 +43,8 @@ class FoldOpener {
   void removeAt(Workpiece& piece, const VertexTriangles& around, std::span<const VertexId> vertices);
   [[nodiscard]] std::vector<VertexId> stuckNear(const Workpiece& piece, const VertexTriangles& around,
                                                 std::span<const VertexId> seeds) const;
+  // The largest of the triangles that are gone come back where the trial names nothing.
+  void putBackLargest(Workpiece& piece, const VertexTriangles& around) const;
 
   Trial trial_;
   std::map<Place, int> named_;

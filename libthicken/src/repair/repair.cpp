@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -21,6 +22,7 @@
 #include "repair/meetings.h"
 #include "repair/near_corners.h"
 #include "repair/non_manifold_edges.h"
+#include "repair/notches.h"
 #include "repair/overlaps.h"
 #include "repair/put_back.h"
 #include "repair/seams.h"
@@ -191,8 +193,10 @@ SeamFacts mend(Workpiece& piece, const RepairOptions& options, repairing::Ledger
   makeSenseConsistent(piece);
   context.throwIfCancelled();
   separate(piece, known, mayReturn);
+  // Straight borders cost no area, but for the one of an overlap, which has to be clean.
+  const double regained = repairing::fillNotches(piece, threads);
+  repairing::smoothBorders(piece, overlapping ? std::numeric_limits<double>::infinity() : regained);
   if (overlapping) {
-    repairing::smoothBorders(piece);
     // Elsewhere what comes off may be somebody's button: it stays.
     dropCrumbs(piece, before, kCrumbTriangles * fin);
   }
