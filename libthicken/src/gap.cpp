@@ -30,7 +30,8 @@ constexpr double kTooSmall = 0.9;
 // Of the progress: the solid of the gap surface has more triangles around it.
 constexpr double kGapShare = 0.4;
 
-// What S is thickened to first. Its shell is round, so that it is at the gap from S beside edges of S, too.
+// The options of the first solid, whose shell becomes the gap surface. That shell is round, so that it is at
+// the gap from S beside edges of S, too.
 Options optionsOfGap(const Options& options) {
   Options first = withoutRimProfile(options);
   first.gap = 0;
@@ -54,7 +55,7 @@ std::vector<double> mapOn(const TriangleMesh& gapSurface, const TriangleMesh& su
   return map;
 }
 
-// What the gap surface is thickened to. It has no defects.
+// The options of the solid of the gap surface, which has no defects to repair.
 Options optionsOfSolid(const Options& options, std::vector<double> thicknessMap) {
   Options second = options;
   second.thicknessMap = std::move(thicknessMap);
@@ -88,7 +89,8 @@ std::vector<double> distances(const std::vector<Vec3>& positions, const ClosestP
   return distance;
 }
 
-// What of a shell is nearer to S than `least`, because there is no room, is not at the gap.
+// Leaves out the triangles of a shell that are nearer to S than `least`: for want of room they are not at the
+// gap.
 void dropNear(TriangleMesh& shell, std::span<const double> distance, double least, double& leftOut) {
   std::erase_if(shell.triangles, [&](const Triangle& t) {
     const auto [a, b, c] = t;
@@ -98,8 +100,8 @@ void dropNear(TriangleMesh& shell, std::span<const double> distance, double leas
   });
 }
 
-// Parts of a shell may touch in points, and shreds lie between walls: a surface has neither. Parts of less
-// than the square of the gap go, but for the largest.
+// Makes a surface of a shell: parts of a shell may touch in points, and shreds may lie between walls. Parts
+// smaller than the square of the gap go, but for the largest.
 TriangleMesh withoutShreds(TriangleMesh shell, double gap, double& leftOut) {
   const VertexTriangles around = vertexTriangles(shell.positions.size(), shell.triangles);
   repairing::Workpiece piece(std::move(shell));
@@ -188,7 +190,7 @@ Solid solidBehind(TriangleMesh& gapSurface, Options options, const RunContext& c
   return solid;
 }
 
-// The ids of what is wrong are those of the gap surface, which nobody has seen.
+// Drops the ids of an error's defects: they are those of the gap surface, which the caller has not seen.
 [[noreturn]] void refuseBehindGap(const Error& error, const Report& first, double gap) {
   std::vector<Defect> defects = error.defects();
   for (Defect& d : defects) {

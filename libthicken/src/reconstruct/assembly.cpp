@@ -77,7 +77,7 @@ class Assembler {
     const std::size_t triangles = out_.carrierTriangles + place.back().triangles;
     out_.mesh.positions.resize(out_.carrierVertices + dual_.vertexCount + place.back().middles);
     out_.middleOf.resize(place.back().middles);
-    // With room for the strips, which are not to make a copy of it all.
+    // Reserves room for the strips, so that adding them does not copy everything.
     const std::size_t more = mostStripTriangles();
     out_.mesh.triangles.reserve(triangles + more);
     out_.region.reserve(triangles + more);
@@ -95,7 +95,7 @@ class Assembler {
                      });
   }
 
-  // Moves `at` on by what the face of a crossing takes.
+  // Moves `at` past the vertices and triangles that the face of a crossing takes.
   void pass(std::uint32_t c, Place& at) const {
     const bool isQuad = dual_.isQuad(c);
     at.middles += isQuad ? 0 : 1;

@@ -69,7 +69,7 @@ std::vector<TriangleId> Attempt::run(std::span<const std::uint8_t> keep) {
   carrier_.up = std::move(carrier.up);
   std::vector<TriangleId> meeting = unsettled.empty() ? crowdedTriangles() : unsettled;
   if (meeting.empty()) {
-    // In a window nothing tells whether a part is misplaced.
+    // A window does not show enough of the boundary to tell whether a part is misplaced.
     if (cut_ == nullptr) dropMisplaced(assembly_, job_.threads);
     labelStrip(assembly_, job_.threads);
     job_.watch.lap("shape");
@@ -106,8 +106,8 @@ std::vector<TriangleId> Attempt::crowdedTriangles() const {
   return crowded;
 }
 
-// Away from the closest point of S until nothing of S is nearer than the thickness: in a corner from one
-// side after the other. Not out of a window.
+// Moves a point away from its closest point of S until nothing of S is nearer than the thickness. In a corner
+// one side after the other pushes it. It does not leave a window.
 Vec3 Attempt::pushedToShell(const Vec3& from) const {
   constexpr int kMostSteps = 16;
   constexpr double kClose = 0.01;
@@ -121,7 +121,8 @@ Vec3 Attempt::pushedToShell(const Vec3& from) const {
   return cut_ != nullptr && !cut_->zone.contains(p) ? from : p;
 }
 
-// The sweep's shell where the carrier does not have it. Where it is pushed to is the same in every attempt.
+// Seeds on the sweep's shell where the carrier does not have it. A vertex is pushed to the same place in each
+// attempt.
 Seeds Attempt::openShell(std::span<const std::uint8_t> keep) {
   constexpr double kNotYet = std::numeric_limits<double>::infinity();
   const std::vector<Vec3>& swept = swept_.mesh.positions;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// From pieces of the sweep to a whole boundary: carrier, contour, shape, exact tests. Attempts follow each
-// other with more of the sweep or shorter walls; what an earlier one computed and proved is kept.
+// One attempt at a whole boundary from pieces of the sweep: carrier, contour, shape, exact tests. Attempts
+// follow each other with more of the sweep or shorter walls. They keep what an earlier one computed and
+// proved.
 #pragma once
 
 #include <span>
@@ -25,16 +26,16 @@ class Attempt {
   /// would leave the zone of its window.
   [[nodiscard]] std::vector<TriangleId> run(std::span<const std::uint8_t> keep);
 
-  /// Gives the contour room at the ends of the walls that triangles meet at. Returns whether it could.
+  /// Draws back walls at whose ends triangles meet, which gives the contour room. Returns whether any moved.
   bool liftWalls(std::span<const TriangleId> meeting);
 
   [[nodiscard]] const Assembly& assembly() const { return assembly_; }
   /// Triangles of the contour on edges that more than two share, ascending.
   [[nodiscard]] std::vector<TriangleId> crowdedTriangles() const;
-  /// Takes it, when no more attempts are to follow.
+  /// assembly(), moved out. No run() may follow.
   [[nodiscard]] Assembly takeAssembly() { return std::move(assembly_); }
-  /// The carrier as it was before its walls were drawn back with the contour; without triangles, and after
-  /// an attempt that is done without positions.
+  /// The carrier before its walls were drawn back with the contour. It has no triangles any more, and after a
+  /// run() that returned none it has no positions either.
   [[nodiscard]] const Carrier& carrier() const { return carrier_; }
   [[nodiscard]] const NodeField& field() const { return contourer_.field(); }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// The carrier Ŝ: S with the walls of its sweep, and with pieces of the sweep's shell where the field
-// is finer than the grid. All of it is proved to be free of intersections, so that the contour has
-// only to be joined to Ŝ's rim, which lies away from S and may be divided, while S's rim may not.
+// The carrier Ŝ: S with the walls of its sweep, and with pieces of the sweep's shell where the field is finer
+// than the grid. All of it is proved to be free of intersections. So the contour has only to be joined to Ŝ's
+// rim. That rim lies away from S and may be divided, while S's rim may not.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ struct Carrier {
   TriangleMesh mesh;                  ///< S's vertices and triangles first
   VertexId firstDivided = 0;          ///< vertices from here on divide rim edges, rounded to float
   std::vector<Region> region;         ///< per triangle
-  std::vector<TriangleId> source;     ///< per triangle: of the sweep, that it is or is a part of
+  std::vector<TriangleId> source;     ///< per triangle: the sweep's that it is, or is a part of
   std::vector<std::uint8_t> covered;  ///< per triangle of S: it has shell for it
   Rim rim;                            ///< its edges are no longer than asked, except those of S
   std::vector<Vec3> up;               ///< per vertex: from the end of a wall to where it hangs on S; else 0
@@ -34,13 +34,13 @@ struct Carrier {
 /// has two fans.
 void closeFans(const TriangleMesh& swept, std::vector<std::uint8_t>& keep);
 
-/// Takes triangles that are `openable` out of `keep` until no vertex has two fans because of them.
+/// Takes `openable` triangles out of `keep` until none of them gives a vertex two fans.
 void openFans(const TriangleMesh& swept, std::span<const std::uint8_t> openable,
               std::vector<std::uint8_t>& keep);
 
-/// Gives spikes of what is `openable` over to the contour: triangles of at most `largest` mm² around a vertex
-/// of its rim where they fill a sharp corner. A corner within a cell may reach past the contour's vertex
-/// there, and the strip between the two would be folded.
+/// Opens spikes: `openable` triangles of at most `largest` mm² that fill a sharp corner at a vertex of the
+/// rim. Such a corner may reach past the contour's vertex in its cell, and the strip between the two would be
+/// folded.
 void trimSpikes(const TriangleMesh& swept, std::span<const std::uint8_t> openable, double largest,
                 std::vector<std::uint8_t>& keep);
 

@@ -14,7 +14,7 @@ namespace thicken {
 
 namespace {
 
-// The largest triangle of the sweep that is given over for the sake of others, in squares of a cell.
+// The largest triangle of the sweep that is opened for the sake of others, in squares of a cell.
 constexpr double kLargestGiven = 1000;
 
 }  // namespace
@@ -73,13 +73,13 @@ bool CarrierShell::takeAllBack() {
   return true;
 }
 
-// What may be given over within `reach` mm of the box around a triangle.
+// The openable triangles within `reach` mm of the box around a triangle.
 std::vector<TriangleId> CarrierShell::near(const TriangleMesh& mesh, TriangleId t, double reach) const {
   const Bounds b = boundsOf(mesh, mesh.triangles[t]);
   return tree_.near(b.low - Vec3::Constant(reach), b.high + Vec3::Constant(reach));
 }
 
-// No pinched vertices: by less shell where that is enough, else by more.
+// Leaves no non-manifold vertex: by less shell where that is enough, else by more.
 void CarrierShell::separateFans() {
   openFans(swept_.mesh, openable_, keep_);
   closeFans(swept_.mesh, keep_);

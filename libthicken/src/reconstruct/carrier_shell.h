@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Which of the sweep's shell the carrier has. Where triangles meet, pieces of it are given over to the
-// contour, or taken back from it.
+// Which triangles of the sweep's shell the carrier has. Where triangles meet, pieces of shell become open:
+// the contour replaces them. Where that does not help the carrier takes them back.
 #pragma once
 
 #include <cstdint>
@@ -16,23 +16,24 @@ namespace thicken {
 
 class CarrierShell {
  public:
-  /// `keep`, `openable`: flags per triangle of `swept`, of what the carrier has and of what may be given
-  /// over. Takes what hangs on by a vertex, and spikes, off the carrier. `width`: of the contour's cells, mm.
+  /// `keep`, `openable`: flags per triangle of `swept`: the carrier has it; it may become open. Spikes, and
+  /// what hangs on by a vertex alone, are opened at once. `width`: of the contour's cells, mm.
   CarrierShell(const SweepResult& swept, std::span<const std::uint8_t> openable,
                std::vector<std::uint8_t> keep, double width, int threads);
 
   [[nodiscard]] const std::vector<std::uint8_t>& keep() const { return keep_; }
-  /// What the carrier did not have before any was given over, mm².
+  /// Area of the shell that was open when this was made, mm².
   [[nodiscard]] double openAtFirst() const { return openAtFirst_; }
 
-  /// Gives pieces within `reach` mm of the triangles that meet over to the contour, with all that its own rim
-  /// would pinch. Returns whether there were any; each is given over once, and large ones, of a great many
-  /// cells, not at all, nor what would leave more to the contour than it was to make at first, or than many
-  /// cells.
+  /// Opens every openable triangle within `reach` mm of one that meets others, and what would otherwise leave
+  /// a non-manifold vertex. No triangle is opened twice, and none larger than 1000 squares of a cell. All of
+  /// it is undone if the open area would exceed both that at first and kManyBesideSweep cells. Returns
+  /// whether any was opened.
   bool giveOver(const Assembly& assembly, std::span<const TriangleId> meeting, double reach);
 
-  /// Takes back the pieces near those of the contour's triangles that meet, or near all that do where none is
-  /// the contour's, within `first` mm or farther, until there is something new. Returns whether there was.
+  /// Takes back open pieces near the contour's triangles that meet; near all that meet where none is the
+  /// contour's. The reach begins with `first` mm and grows until there is a piece. Returns whether there was
+  /// one.
   bool takeBack(const Assembly& assembly, std::span<const TriangleId> meeting, double first);
 
   /// Takes back all of it. Returns whether there was anything.
@@ -48,7 +49,7 @@ class CarrierShell {
   double width_;
   double openAtFirst_ = 0;
   std::vector<std::uint8_t> givenOver_;  ///< once
-  exact::BoxTree tree_;                  ///< of what may be given over
+  exact::BoxTree tree_;                  ///< of what may become open
 };
 
 }  // namespace thicken

@@ -18,14 +18,14 @@ namespace thicken {
 
 namespace {
 
-// The least width of cells that fit where those of `width` make so many crossings; infinite: none.
+// The least width of cells that fit, given that cells of `width` make so many crossings; infinite: none.
 double widthThatFits(std::size_t crossings, std::size_t held, double width, std::size_t limit) {
   const std::size_t fixed = held + leanBytes(0);
   if (limit <= fixed) return std::numeric_limits<double>::infinity();
   return width * std::sqrt(double(leanBytes(crossings) - leanBytes(0)) / double(limit - fixed)) * 1.01;
 }
 
-// Refuses what would not fit before any of it is taken, with the width that would.
+// Refuses cells that would not fit before any memory is taken. The sentence has a width that would.
 void requireMemory(std::size_t crossings, std::size_t held, double r, double width,
                    const RunContext& context) {
   const std::size_t limit = context.memoryLimit();

@@ -10,13 +10,12 @@
 
 namespace thicken {
 
-/// Cells that widths are chosen for, at most, where none is given: for the whole shell, and beside a sweep,
-/// where only a thickness far below the extent of the surface asks for so many.
+/// Most cells of a width that is chosen, for the whole shell and beside a sweep. Beside a sweep only a
+/// thickness far below the extent of the surface comes to so many.
 inline constexpr double kManyCells = 6e5, kManyBesideSweep = 2.5e5;
 
-/// The width of the cells that the options mean where `area` mm² of S are to be contoured, mm: as
-/// given, by the resolution, or chosen. Throws kInvalidArgument where a resolution gives cells of r/2 or more
-/// (Remark 1).
+/// The width of the cells for a contour of `area` mm² of S, mm: the option's, that of the resolution, or one
+/// that is chosen. Throws kInvalidArgument if a resolution gives cells of r/2 or more (Remark 1).
 [[nodiscard]] double cellWidth(const Job& job, double area, double mostCells = kManyCells);
 
 /// Crossings that a contour of `area` mm² makes with cells of `width` mm, at most: more than most do.
@@ -35,16 +34,16 @@ inline constexpr double kManyCells = 6e5, kManyBesideSweep = 2.5e5;
 /// Whether there is room for so many crossings beside that within the memory limit.
 [[nodiscard]] bool hasRoomForField(const Job& job, std::size_t crossings);
 
-/// `width`, with which a contour makes so many crossings, or the least one that there is room for where that
-/// is wider and the options do not ask for a width; infinite where there is no room for any.
+/// The width of the cells to use, mm: `width` if its `crossings` fit the memory limit or the options ask for
+/// a width; else the smallest that fits; infinite if none does.
 [[nodiscard]] double widthWithRoom(const Job& job, std::size_t crossings, double width);
 
 /// Throws kNoSolid where cells of `width` mm are too many for the grid's keys.
 void requireCells(const Job& job, double width);
 
-/// What the contour may hold. Throws where cells of `width` are too many for the grid's keys or, before any
-/// of it is taken, too many for the memory limit even where as little is held at a time as can be, with the
-/// width and the limit that would fit.
+/// What the contour may hold. Throws kNoSolid if cells of `width` are too many for the grid's keys. Throws
+/// kMemoryLimit, before any memory is taken, if they do not fit the limit even with the least in memory at a
+/// time; the sentence has the width and the limit that would fit.
 [[nodiscard]] WorkingSet requireRoomForField(const Job& job, std::size_t crossings, double width);
 
 }  // namespace thicken

@@ -28,7 +28,7 @@ Closing closedFiner(const Job& job, const SweepResult& swept, const ContourTask&
   constexpr double kFiner = 0.5;
   constexpr std::size_t kCarriedBytes = 700;  // for each triangle of the carrier beyond S
   constexpr int kMostTimes = 5;
-  // What meets along a curve at any width meets in twice as many triangles of half the size.
+  // Two sheets that cross along a curve meet in twice as many triangles where cells are half as wide.
   constexpr double kGrowth = 1.5;
   const Assembly& assembly = attempt.assembly();
   Closing closing{std::nullopt, {meeting.begin(), meeting.end()}};
@@ -44,7 +44,7 @@ Closing closedFiner(const Job& job, const SweepResult& swept, const ContourTask&
   finer.width = kFiner * task.width;
   finer.refined = task.refined + 1;
   finer.allowance = task.allowance;
-  // The others are tried, too, where it is of use to know all that cannot be closed.
+  // The other windows are tried, too, where the caller wants to know all that cannot be closed.
   finer.stopsAtFirst = !task.mayKeepShell;
   finer.meetingIn = [&](const Bounds& zone) { return meetingIn(assembly, meeting, {&zone, 1}).size(); };
   std::vector<Bounds> stuck;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// What an attempt could not make is made in finer cells, in windows around it.
+// Where an attempt failed, windows are made again in finer cells.
 #pragma once
 
 #include <optional>
@@ -13,15 +13,15 @@
 
 namespace thicken {
 
-/// What an attempt could not make, once it was tried in finer cells.
+/// What came of the finer cells.
 struct Closing {
-  std::optional<Reconstruction> made;  ///< where all of it could be made
+  std::optional<Reconstruction> made;  ///< if every window could be closed
   std::vector<TriangleId> stuck;       ///< of the assembly: triangles that meet where it could not
 };
 
-/// What `attempt` at `task` could not make, in finer cells: the rest of it is the carrier for that. Zones
-/// where even the finest ones that are tried do not do are added to `givenUp`, and are not tried again.
-/// Throws kCancelled.
+/// Cuts holes around the triangles that `meeting` lists after `attempt` at `task`, and closes them in finer
+/// cells. The rest of the attempt is the carrier. Zones where the finest cells fail are added to `givenUp`,
+/// and are not tried again. Throws kCancelled.
 [[nodiscard]] Closing closedFiner(const Job& job, const SweepResult& swept, const ContourTask& task,
                                   const Attempt& attempt, std::span<const TriangleId> meeting,
                                   std::vector<Bounds>& givenUp, Complete& complete);

@@ -25,7 +25,7 @@ namespace thicken {
 namespace {
 
 constexpr int kMostTakenBack = 16, kMostGivenOver = 12;  // times
-// Cells of all attempts together, and attempts that are made in any case, before the whole sweep is taken.
+// Cells of all attempts together before the whole sweep is taken, and attempts that are made in any case.
 constexpr double kMostWork = 2.5e6;
 constexpr std::size_t kSomeAttempts = 4;
 // Of the triangles of an attempt, one in so many: what meets is little.
@@ -33,7 +33,7 @@ constexpr std::size_t kLittle = 1000;
 // What a triangle that meets others costs while it is settled, in triangles that are just assembled.
 constexpr std::size_t kMeetingCost = 100;
 
-// The reach of what is done for the nth time, which grows so that it ends, mm.
+// The reach of an nth try, mm. It grows, so that tries end.
 double reachOf(int times, double width) {
   constexpr double kFirst = 0.5, kGrowth = 1.4;  // cells
   return width * kFirst * std::pow(kGrowth, static_cast<double>(times));
@@ -54,8 +54,8 @@ double reachOf(int times, double width) {
   throw Error(ErrorCode::kNoSolid, sentence, {std::move(d)});
 }
 
-// Which of the assembly's triangles are of the sweep's shell where `left` says that this is for want of
-// better, and what their vertices are copies of.
+// Which triangles of the assembly are shell of the sweep that `left` marks as kept for want of better, and
+// what their vertices are copies of.
 void tellLeft(const Assembly& assembly, const SweepResult& swept, std::span<const std::uint8_t> left,
               Reconstruction& result) {
   for (TriangleId t = 0; t < assembly.carrierTriangles; ++t) {
@@ -141,13 +141,13 @@ class Completion {
       if (!tired_ && takenBack_++ < kMostTakenBack &&
           shell_.takeBack(attempt_.assembly(), closing->stuck, reachOf(takenBack_ - 1, task_.width)))
         continue;
-      // In the end the whole sweep, which leaves nothing to contour.
+      // At last the whole sweep is taken. It leaves nothing to contour.
       if (!shell_.takeAllBack()) refuse(attempt_.assembly(), meeting);
     }
   }
 
  private:
-  // What meets in finer cells, where the allowance is not spent.
+  // Makes what meets in finer cells, unless the allowance is spent.
   Closing madeFiner(const std::vector<TriangleId>& meeting) {
     if (spent_) return {std::nullopt, meeting};
     Closing closing = closedFiner(job_, swept_, task_, attempt_, meeting, givenUp_, complete);
@@ -166,10 +166,10 @@ class Completion {
     tired_ = (round_ + 1 >= kSomeAttempts && work > kMostWork) || (isNested_ && spent_);
   }
 
-  // Walls that are in the way are drawn back, or pieces of shell given over. Returns whether any were.
+  // Draws back walls that are in the way, or opens pieces of shell. Returns whether there were any.
   bool givesWay(const std::vector<TriangleId>& meeting) {
     const bool lifted = attempt_.liftWalls(meeting);
-    // Where giving over more does not help at once, finer cells are the better answer.
+    // Where opening more does not help at once, finer cells are the better answer.
     const bool mayGive = takenBack_ == 0 && meeting.size() < leastMeeting_;
     leastMeeting_ = std::min(leastMeeting_, meeting.size());
     return (mayGive && givenOver_++ < kMostGivenOver &&

@@ -14,7 +14,7 @@
 
 namespace thicken {
 
-/// What is to be contoured below a carrier.
+/// A carrier, and how the contour that closes it is to be made.
 struct ContourTask {
   std::vector<std::uint8_t> keep;        ///< per triangle of the sweep: part of the carrier
   double area = 0;                       ///< of the rest, mm²
@@ -22,7 +22,7 @@ struct ContourTask {
   std::size_t crossings = 0;             ///< that it makes at most
   WorkingSet working;                    ///< for so many
   bool mayKeepShell = false;             ///< whether the carrier may be given more of the sweep's shell
-  std::vector<std::uint8_t> openable{};  ///< per triangle of the sweep: may be given over; empty: its shell
+  std::vector<std::uint8_t> openable{};  ///< per triangle of the sweep: may become open; empty: its shell
   std::vector<std::uint8_t> left{};  ///< per triangle of the sweep: kept for want of better where it is kept;
                                      ///< empty: where `keep` does not have it
   int refined = 0;                   ///< times that finer cells were taken
@@ -31,7 +31,8 @@ struct ContourTask {
   std::size_t* allowance = nullptr;  ///< what attempts at a boundary may cost yet, in triangles; null: any
 };
 
-/// How a task is completed: complete() does. What is completed in parts is given it.
+/// The type of complete(). Parts of a task are completed by it, too; passing it on avoids a circle of
+/// includes.
 using Complete = std::optional<Reconstruction>(const Job& job, const SweepResult& swept, ContourTask task);
 
 }  // namespace thicken

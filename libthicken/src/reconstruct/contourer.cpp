@@ -17,7 +17,7 @@ namespace {
 constexpr double kMargin = 3;  // cells around the box grown by r
 constexpr int kMostShifts = 8;
 
-// Nodes at places that no coordinate of a file is likely to have; another try, other places.
+// Shifts the grid so that no node is likely to be at a coordinate of a file. Each try has another shift.
 UniformGrid gridFor(const TriangleMesh& surface, double thickness, double width, int attempt) {
   const Bounds b = boundsOf(surface);
   const Vec3 shift{0.3819660112501051, 0.2360679774997896, 0.1458980337503154};
@@ -112,7 +112,7 @@ Contour Contourer::attempt(const Carrier& carrier, const Membership& membership,
 
 void Contourer::remember(std::vector<Crossing> crossings) {
   last_ = std::move(crossings);
-  // The wall's normals came with its shape.
+  // Shaping left normals on the wall's crossings. Another contour must not begin with them.
   for (Crossing& c : last_)
     if (c.beyond == Standing::kRim) c.normal = Vec3::Zero();
 }
@@ -133,7 +133,7 @@ void Contourer::forgetChanges(std::vector<Corners> beyondSurface, std::span<cons
   field_->forget(*changed_, marked, job_.context, job_.threads);
 }
 
-// Where a part was crossed the last time, if the changes are too far from there to have moved it.
+// The crossing that a part had the last time, unless a change is near enough to have moved it.
 const Crossing* Contourer::recalled(const EdgePart& part) const {
   constexpr double kSure = 1.01;
   const int axis = static_cast<int>(part.edge & 3);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// The contour that closes a carrier's rim. Carriers come one after another, each with more of the sweep
-// than the one before: what is still true of the last one's field and crossings is not computed again.
+// The contour that closes a carrier's rim. Carriers come one after another, each with more of the sweep than
+// the one before. Values of the field and crossings that still hold are not computed again.
 #pragma once
 
 #include <memory>
@@ -29,9 +29,8 @@ class Contourer {
   /// `job` and `cut` (null: none) must outlive the contourer.
   Contourer(const Job& job, double width, const WorkingSet& working, const Cut* cut);
 
-  /// The contour of what lies in H and is not closed off by `carrier`, whose first triangles are those of
-  /// the surface. `seeds` are for parts of it that hang together with no rim. Throws kNoSolid where it leaves
-  /// the zone of the cut.
+  /// The contour that closes `carrier`, whose first triangles are those of the surface. `seeds` are for parts
+  /// of the contour that touch no rim. Throws kNoSolid where the contour leaves the zone of the cut.
   [[nodiscard]] Contour contour(const Carrier& carrier, const Membership& membership, const Seeds& seeds);
 
   /// Keeps where the crossings of the last contour lie, for the next one.

@@ -11,8 +11,8 @@
 
 namespace thicken {
 
-/// Per triangle of `surface`: 1 where its copy is among the triangles of `swept` that `keep` marks; where the
-/// sweep has none, 1 where all shell around it is kept.
+/// Per triangle of `surface`: 1 if its copy is among the triangles of `swept` that `keep` marks. A triangle
+/// without a copy has 1 if all shell around it is kept.
 [[nodiscard]] std::vector<std::uint8_t> coveredTriangles(const TriangleMesh& surface,
                                                          const SweepResult& swept,
                                                          std::span<const std::uint8_t> keep);

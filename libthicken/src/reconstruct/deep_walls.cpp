@@ -14,11 +14,11 @@ namespace thicken {
 
 namespace {
 
-// A copy this deep is deep enough.
+// A copy of the sweep that is this deep, in r, has nothing in its way.
 constexpr double kFull = 0.98;
 // Where a deep wall ends, in r: not beyond the shell, where the contour would have to turn around.
 constexpr double kEnd = 0.9999;
-// Share of the distance that a longer way must bring.
+// A longer way must gain this share of the distance that it would in the open.
 constexpr double kKeep = 0.9;
 constexpr double kStep = 1.12;
 // mm of way that neighbours may differ by, per mm of rim.
@@ -64,8 +64,8 @@ void DeepWalls::listBottom() {
     }
 }
 
-// Draws back what reaches deeper than the shell, in its vertices or half-way between two of them: the
-// contour would have to turn around there.
+// Shortens walls that end deeper than the shell, at a lower vertex or half-way between two: the contour would
+// have to turn around there.
 void DeepWalls::shorten() {
   std::vector<std::array<VertexId, 2>> spans = bottomEdges_;
   for (const VertexId v : low_) spans.push_back({v, v});
@@ -158,7 +158,8 @@ bool DeepWalls::lift(std::span<const VertexId> vertices, double step) {
   return at_ != before;
 }
 
-// The walls, and what else is kept that they may come near at any depth. The first are as many as told.
+// The walls, and all else that is kept and that they may come near at any depth. The walls come first; the
+// number says how many they are.
 std::pair<std::vector<Triangle>, std::size_t> DeepWalls::nearWalls(std::span<const std::uint8_t> keep) const {
   std::vector<Triangle> near, others;
   std::vector<Triangle> reach;  // of each wall, with where its lower vertices hang
@@ -227,7 +228,7 @@ void DeepWalls::fit(std::span<const std::uint8_t> keep) {
       place(v);
     }
   }
-  // What still meets is left to the sweep, all of whose triangles are clear of each other.
+  // Something still meets: all walls go back to where the sweep has them, and there nothing does.
   for (const VertexId v : low_) share_[v] = 0;
   placeAll();
 }

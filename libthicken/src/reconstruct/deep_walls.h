@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Walls that reach deeper than the sweep's: a copy on the rim may be drawn back in the sweep only for
-// the sake of the shell beside it, which the contour replaces.
+// Walls that reach deeper than the sweep's. In the sweep a copy on the rim is often drawn back for the sake
+// of the shell beside it alone, and that shell is open here. kEnd tells where these walls end. Walls beside
+// kept shell end where the shell does (`sweep/retreat`).
 #pragma once
 
 #include <cstddef>

@@ -15,10 +15,10 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::infinity();
 
-// How deep the solid is below each vertex: to where the field ends along the normal. Where the rim is nearest
-// it is the wall that ends there, if the way down to it is about as long as the rim is far; a rim that is
-// nearer is another part's, beyond the end of the field.
-// `known`: the depth of vertices that need not be looked at; else infinite. Empty: none is known.
+// How deep the solid is below each vertex: along the normal to where the field ends. There the closest point
+// may be on the rim. If the rim is about as far as the way is long, the wall ends there. A rim that is nearer
+// is that of another part, beyond the end of the field. `known`: the depth of vertices that need not be
+// looked at; else infinite. Empty: none is known.
 std::vector<double> fieldDepths(const Job& job, std::vector<double> known = {}) {
   const TriangleMesh& surface = job.surface;
   const auto normal =

@@ -59,7 +59,7 @@ class Refiner {
       std::vector<TriangleId> beyond = shellBeyond(job_, made.mesh, made.region, *job_.options.tolerance);
       job_.watch.lap("tolerance");
       if (beyond.empty()) break;
-      // What cannot be joined in cells of one width may be in finer ones.
+      // A part that cannot be joined in cells of one width may be joined in finer ones.
       if (auto finer = again(made, {std::move(beyond), width *= kFiner, false}))
         made = *std::move(finer);
       else

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Parts of a solid that was made are contoured once more, in finer cells; all else is the carrier for them.
+// Contours parts of a finished solid once more, in finer cells. All else is the carrier.
 #pragma once
 
 #include <functional>
@@ -17,8 +17,9 @@ using AllowsCells = std::function<bool(double width, double area)>;
 /// can; `depth` and `shellArea` are not set.
 [[nodiscard]] Reconstruction madeInWindows(const Job& job, const Holes& holes, const WindowTask& task);
 
-/// `made` with what it left to the sweep in finer and finer cells, and then what is not proved to be within
-/// the tolerance of the job, where there is one, until it is or no finer cells are allowed.
+/// `made`, refined. First what it left to the sweep is contoured in finer and finer cells. Then, if the job
+/// has a tolerance, so is what is not proved to be within it. Ends when all is proved or no finer cells are
+/// allowed.
 [[nodiscard]] Reconstruction refined(const Job& job, Reconstruction made, const AllowsCells& isAllowed);
 
 }  // namespace thicken

@@ -22,8 +22,8 @@ bool anyFlat(const TriangleMesh& mesh, std::span<const TriangleId> triangles) {
   });
 }
 
-// Cuts holes until what is kept of a boundary is clear of itself. Walls that stand where they were drawn back
-// to go back where they stood, all clear of each other.
+// Cuts holes until the rest of a boundary is clear of itself. Walls that were drawn back with the contour go
+// back to where the carrier had them, clear of each other.
 class Cutter {
  public:
   Cutter(Holes& holes, std::span<const Vec3> start, const RunContext& context, int threads)

@@ -38,7 +38,7 @@ class Closer {
       const std::vector<Bounds> stuck = zonesWhere([](const Outcome& o) { return !o.made; });
       if (narrow.empty() || (task_.meetingIn && (times == kAll || narrow.size() < stuck.size()))) break;
       widen({narrow, times});
-      // A window with all of the boundary would only be made once more.
+      // A window that is the whole boundary would be the same attempt again.
       if (!task_.meetingIn && times < kAll && hasAllInOne()) widen({narrow, times = kAll});
       closeEach();
       if (times == kAll) break;

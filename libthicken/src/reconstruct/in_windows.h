@@ -36,9 +36,10 @@ struct InWindows {
   std::vector<Bounds> stuck;                        ///< zones where nothing could be
 };
 
-/// Closes the holes in windows around them, wider ones where a contour leaves the usual ones. Nothing is made
-/// where the cells are too many for the grid's keys, for the memory limit or for the allowance, or where S
-/// touches their grid wherever it lies. The same for any number of threads. Throws kCancelled.
+/// Closes each hole in a window around it; in a wider one if the contour leaves the usual window. A hole
+/// stays open if its cells are too many for the grid's keys, for the memory limit or for the allowance, or if
+/// S touches every grid that is tried. The result does not depend on the number of threads. Throws
+/// kCancelled.
 [[nodiscard]] InWindows completeInWindows(const Job& job, const Holes& holes, const WindowTask& task);
 
 /// Whether cells of `width` mm are few enough for `area` mm² to be made again in them.

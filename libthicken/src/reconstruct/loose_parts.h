@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Closed pieces of the contour that hang together with nothing and bound nothing that H has.
+// Closed pieces of the contour that are joined to nothing and bound nothing of H.
 #pragma once
 
 #include "reconstruct/assembly.h"

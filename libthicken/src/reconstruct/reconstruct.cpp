@@ -23,7 +23,7 @@ struct WholeShell {
   double width = 0;
 };
 
-// Whether cells of a width may be tried where wider ones did not do.
+// Whether cells of a width may be tried after wider ones have failed.
 AllowsCells finerCells(const Job& job) {
   return [&](double width, double area) {
     return !job.options.cell && !job.options.resolution && fewCells(width, area) &&
@@ -31,7 +31,7 @@ AllowsCells finerCells(const Job& job) {
   };
 }
 
-// How it is to be made where all of the shell is.
+// The task of contouring all of the shell.
 WholeShell wholeShell(const Job& job) {
   const double area = areaOf(job.surface);
   return {area, shellShadows(job), cellWidth(job, area)};

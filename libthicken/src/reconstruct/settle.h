@@ -20,10 +20,11 @@ class ProvedTriangles {
   std::vector<std::uint64_t> hashes_;  ///< sorted; the audit of the result does not rely on them
 };
 
-/// Places the contour's vertices at `target` (floats), back towards where they started where triangles
-/// meet, draws the ends of walls that are in the way back by `step` mm along `up` (Carrier), and evens out
-/// what still meets. Returns the triangles that meet in the end, ascending; `proved` are not tested against
-/// each other unless they move. `most`: triangles that are searched for meetings at a time (PairSearch).
+/// Places the contour's vertices at `target` (floats). Where triangles meet, vertices go back towards where
+/// they started, ends of walls that are in the way are drawn back by `step` mm along `up` (Carrier), and at
+/// last vertices go to the mean of their neighbours. Returns the triangles that meet in the end, ascending.
+/// Triangles in `proved` are tested against each other only if they moved. `most`: triangles that are
+/// searched for meetings at a time (PairSearch).
 [[nodiscard]] std::vector<TriangleId> settle(Assembly& assembly, std::span<const Vec3> target,
                                              std::span<const Vec3> up, double step,
                                              const ProvedTriangles& proved, std::size_t most,

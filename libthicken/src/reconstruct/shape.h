@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Where the contour's vertices should stand (paper §4.3): rounds that smooth the wall's normals and
-// move each vertex a quarter of the way to the minimiser of its quadratic error function; vertices of
-// the shell then so far from S that the faces between them are off by the least.
+// Where the contour's vertices should stand (§4.3 of the paper). Each round smooths the wall's normals and
+// moves each vertex a quarter of the way to the minimiser of its quadratic error function. In the end
+// vertices of the shell stand so far from S that the largest error of the faces between them is least.
 #pragma once
 
 #include "field/membership.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Which part of the sweep's shell a contour is to replace: what is off by more than cells of the width that
-// the part can afford would be.
+// Which part of the sweep's shell a contour is to replace: all that is off by more than a contour in its
+// place would be, in the finest cells that such a part can afford.
 #pragma once
 
 #include <algorithm>
@@ -22,8 +22,9 @@ struct ShellPlan {
 
 [[nodiscard]] ShellPlan planShell(const Job& job, const SweepResult& swept);
 
-/// The share of S's area that a sweep's shell may be short of for it to be of use beside a contour: half,
-/// where the contour of the whole shell has fewer triangles than S and there is room for it; else all.
+/// A sweep is of no use beside a contour if its shell is short of the thickness on more than this share of
+/// S's area. Half, if the contour of the whole shell has fewer triangles than S and there is room for it;
+/// else all.
 [[nodiscard]] double mostShort(const Job& job);
 
 /// Area of the shell of `swept` that `keep` leaves to the contour, mm².

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// The strip between the carrier's rim and the contour, what lies beside it, and of which region it is: wall
-// where the end of a wall was drawn back, so that the contour goes on as wall, else shell.
+// The strip between the carrier's rim and the contour, and its regions. A strip is wall where the end of a
+// wall was drawn back and the contour goes on as wall; elsewhere it is shell.
 #pragma once
 
 #include "mesh/half_edges.h"
@@ -12,8 +12,8 @@ namespace thicken {
 /// The edges of the triangles that share two vertices or more with the strip, its own among them.
 [[nodiscard]] HalfEdges edgesAtStrip(const Assembly& assembly, int threads);
 
-/// A triangle of the strip is what the contour across its edge is; one that has no edge with the contour is
-/// wall where the strip beside it is.
+/// Gives each triangle of the strip the region of the contour's triangle across its edge. One without an edge
+/// at the contour is wall if the strip beside it is.
 void labelStrip(Assembly& assembly, int threads);
 
 }  // namespace thicken

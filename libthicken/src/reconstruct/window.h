@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Holes of a boundary are closed in windows around them, each with what of S and of the boundary is so near
-// that it matters to the field there. So an attempt costs what the hole costs, however large S is, and a hole
-// that cannot be closed is no obstacle to the others.
+// Holes of a boundary are closed in windows around them. A window has the part of S and of the boundary that
+// is near enough to matter to the field at the hole. So an attempt costs what the hole costs, however large S
+// is, and a hole that cannot be closed does not keep others open.
 #pragma once
 
 #include <cstdint>
@@ -36,7 +36,7 @@ struct Window {
   std::vector<std::uint8_t> fixed;  ///< per vertex of the window: at its edge
 };
 
-/// Zones that contours left, and how many times as far as usual windows are to reach there.
+/// Zones of windows that were too narrow: a contour left them. Windows there reach `times` as far as usual.
 struct TooNarrow {
   std::span<const Bounds> zones;
   double times = 1;
@@ -49,9 +49,9 @@ struct TooNarrow {
 /// Whether all vertices that are new in a window, or moved, lie in its zone.
 [[nodiscard]] bool staysWithin(const Window& window, const Reconstruction& made);
 
-/// The boundary with what was made in some of its windows; holes of the others are left as `holes` has them,
-/// with all triangles. `origin` of the result is in terms of the boundary's vertices. Where two of them would
-/// replace the same triangle, the later one is as if nothing had been made in it.
+/// The boundary with what was made in its windows. A window in which nothing was made keeps all triangles
+/// that `holes` has there. If two windows would replace the same triangle, the later one counts as one in
+/// which nothing was made. `origin` of the result is in terms of the boundary's vertices.
 [[nodiscard]] Reconstruction withWindows(const TriangleMesh& surface, const Holes& holes,
                                          std::span<const Window> windows,
                                          std::span<std::optional<Reconstruction>> made);

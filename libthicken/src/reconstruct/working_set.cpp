@@ -15,7 +15,7 @@ constexpr std::size_t kNode = 100;      // a node that is known
 constexpr std::size_t kSettling = 165;  // a crossing, while its triangles settle
 constexpr std::size_t kSearched = 90;   // a triangle in the tree of a search
 constexpr std::size_t kAudited = 90;    // a triangle of a solid that is audited, without the search
-// Less at a time is not worth while.
+// Smaller blocks cost more searches than they save memory.
 constexpr std::size_t kLeastNodes = 1 << 15, kLeastTriangles = 1 << 15;
 
 // How many items of `each` bytes have room beside `held`.

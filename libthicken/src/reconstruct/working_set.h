@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// How much of a contour is in memory at a time. Without a limit, or below one that is high enough, all of it
-// is, and what an attempt knows is kept for the next. Below a lower one nodes are dropped and evaluated once
-// more, nothing is kept for another attempt, and triangles are searched for meetings block by block: more
-// work, and the same result.
+// How much of a contour is in memory at a time. If the memory limit allows, all of it is, and each attempt
+// keeps what it knows for the next. Otherwise nodes are dropped and evaluated once more, nothing is kept for
+// another attempt, and triangles are searched for meetings block by block. That is more work with the same
+// result.
 #pragma once
 
 #include <cstddef>
@@ -20,8 +20,8 @@ struct WorkingSet {
   bool isLean = false;                              ///< nothing is kept for another attempt
 };
 
-/// Bytes that a field and its contour of so many crossings take at their peak, beyond what is there already:
-/// with all of it in memory at a time, and with as little as can be.
+/// Bytes that a field and its contour of so many crossings add to the peak: with all of it in memory at a
+/// time, and with as little as possible.
 [[nodiscard]] std::size_t wholeBytes(std::size_t crossings);
 [[nodiscard]] std::size_t leanBytes(std::size_t crossings);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// What the triangles of S are copied to on one side. A corner of a copied triangle is a chain of offset
-// vertices: one, or several where the vertex was divided.
+// The copies of S's triangles on one side. A corner of a copied triangle is a chain of offset vertices: one,
+// or several if the vertex was divided.
 #pragma once
 
 #include <array>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// A triangle of S near every part of a sweep, where queries begin. None decides more than how long they take.
+// For each part of a sweep a triangle of S nearby. Queries begin there. It changes how long they take, never
+// what they answer.
 #pragma once
 
 #include <span>

@@ -175,8 +175,8 @@ std::vector<VertexId> ShellSurgery::findLoops(Hole& hole) const {
   return pinched;
 }
 
-// Opens the holes that dropping `copies` leaves. Returns false, with the copies of that hole in
-// `around`, where S itself is pinched.
+// Opens the holes that dropping `copies` leaves. Returns false, with the copies of that hole in `around`, if
+// S itself has a non-manifold vertex there.
 bool ShellSurgery::open(std::vector<std::uint32_t> copies, std::vector<Hole>& holes,
                         std::vector<std::uint32_t>& around) const {
   for (bool again = true; again;) {

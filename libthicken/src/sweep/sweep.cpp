@@ -36,7 +36,7 @@ namespace {
 
 // A copy in the way of its neighbours is dropped; holes that grow this often do not end.
 constexpr int kMostRefills = 12;
-// So often the same copies may be found in the way before their place is given up.
+// After so many rounds with the same copies in the way there is no solid at their place.
 constexpr int kMostRepeats = 3;
 constexpr int kMostGrowths = 4;
 // Copies that are farther off the planes around them, in r, get a corner of their own: half of what the shell
@@ -151,8 +151,9 @@ std::vector<double> limited(SweptMesh& mesh, const CopyGraph& graph, int threads
   return depth;
 }
 
-// About which share of S's area will have a shell that is short: where the free depth is less than all, and
-// around what is in the way of others, which the slope lets no copy nearby be much deeper than.
+// An estimate of the share of S's area that will have a shell short of the thickness. That is where the free
+// depth is less than all, and around copies that are in the way of others: the slope limit holds back their
+// neighbours.
 double shareShort(SweptMesh& mesh, const CopyGraph& graph, const ConflictTester& tester,
                   const Conflicts& conflicts, int threads) {
   constexpr double kDrawnBack = 0.5, kFull = 0.99;
@@ -234,8 +235,8 @@ void beginAgain(SweptMesh& mesh, const Job& job, Corners& corners, std::vector<d
     if (changed[i]) free[i] = mesh.copies[i].depth;
 }
 
-// Small triangles around copies that were drawn back let all others be as deep as they were to be (`free`).
-// Where that is not clear the sweep stays as it is.
+// Cuts the triangles around copies that were drawn back into small ones. Then all other copies may be as deep
+// as `free` says. If that is not clear, the sweep stays as it is.
 void cutShort(SweptMesh& mesh, const Job& job, Corners& corners, std::vector<double>& free,
               const VertexTriangles& around, Settled& settled) {
   SweptMesh before = mesh;
