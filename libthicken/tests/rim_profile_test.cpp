@@ -84,8 +84,11 @@ TEST(RimDistance, IsThatToTheNearestEdgeOfTheRim) {
   // Within a reach, the same, and nothing far beyond.
   const std::vector<double> near = distancesToRim(ring, 1, 1);
   for (VertexId v = 0; v < distance.size(); ++v) {
-    if (distance[v] <= 1) EXPECT_EQ(near[v], distance[v]);
-    if (distance[v] > 2) EXPECT_TRUE(std::isinf(near[v]));
+    if (distance[v] <= 1) {
+      EXPECT_EQ(near[v], distance[v]);
+    } else if (distance[v] > 2) {
+      EXPECT_TRUE(std::isinf(near[v]));
+    }
   }
 }
 
@@ -170,7 +173,9 @@ TEST(RimProfile, IsThatOfTheGapSurfacesRim) {
   const Solid plain = thicken(sheet, options({1, 2, {}}));
   EXPECT_NEAR(solid.report.volume, plain.report.volume, 0.01 * plain.report.volume);
   for (const Vec3& p : solid.mesh.positions)
-    if (toRimOfPlane(p) < 1e-6) EXPECT_GE(p.z(), -2.5 - 1e-6) << "1 mm thick at the rim, from 1.5 on";
+    if (toRimOfPlane(p) < 1e-6) {
+      EXPECT_GE(p.z(), -2.5 - 1e-6) << "1 mm thick at the rim, from 1.5 on";
+    }
 }
 
 TEST(RimProfile, IsProvedWithinATolerance) {

@@ -10,6 +10,7 @@
 #include "analytic_surfaces.h"
 #include "jobs.h"
 #include "measure/error_bound.h"
+#include "mesh/vertex_values.h"
 #include "plain_shapes.h"
 #include "thicken/error.h"
 #include "thicken/thicken.h"
@@ -105,6 +106,23 @@ TEST(Thickness, IsNowhereSteeperThanItMayBe) {
       EXPECT_EQ(thickness.at(v), 1);
     }
   EXPECT_EQ(thickness.most(), 20) << "far enough from the step";
+}
+
+// A repair that divides a triangle or fills a hole makes vertices that the map does not have.
+TEST(ThicknessMap, IsLinearWhereAVertexIsNew) {
+  const TriangleMesh sheet = shapes::flatSheet(4, 3, 0);
+  std::vector<double> values;
+  for (const Vec3& p : sheet.positions) values.push_back(1 + 2 * p.x() + 3 * p.y());
+  TriangleMesh divided = sheet;
+  divided.positions.emplace_back(1.25, 0.5, 0);
+  divided.positions.emplace_back(1.25, 0.5, 0.1);
+  divided.positions.emplace_back(2, -1, 0);  // beyond the rim
+  const std::vector<double> there = valuesAt(sheet, values, divided, "the map");
+  const std::size_t known = sheet.positions.size();
+  EXPECT_TRUE(std::equal(values.begin(), values.end(), there.begin()));
+  EXPECT_NEAR(there[known], 5, 1e-12);
+  EXPECT_NEAR(there[known + 1], 5, 1e-12);
+  EXPECT_NEAR(there[known + 2], 5, 1e-12);
 }
 
 // In a plane Definition 2 has the shell right below every point of S, r(x) deep.

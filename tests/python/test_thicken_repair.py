@@ -24,11 +24,12 @@ class Repair(unittest.TestCase):
         (change,) = [c for c in mended.report["changes"] if c["kind"] == "self-intersecting"]
         self.assertTrue(change["removed"])
         self.assertGreater(change["area_mm2"], 0)
-        self.assertEqual(mended.report["removed_triangles"], len(triangles) - len(mended.triangles))
         self.assertEqual(mended.report["surface"]["triangles"], len(mended.triangles))
-        # what remains is the surface's own, in its order
-        np.testing.assert_array_equal(mended.vertices[mended.triangles], vertices[triangles[mended.origin]])
-        self.assertTrue(set(change["triangles"]).isdisjoint(mended.origin))
+        # what remains is the surface's own, in its order, but for parts that came back
+        whole = (mended.vertices[mended.triangles] == vertices[triangles[mended.origin]]).all(axis=(1, 2))
+        self.assertEqual(mended.report["removed_triangles"], len(triangles) - whole.sum())
+        self.assertTrue(set(change["triangles"]).isdisjoint(mended.origin[whole]))
+        self.assertTrue(set(change["triangles"]).issuperset(mended.origin[~whole]))
 
     def test_leaves_a_valid_surface_as_it_is(self):
         vertices, triangles = plate()

@@ -3,9 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <optional>
 #include <unordered_map>
 
 #include "mesh/place_text.h"
+#include "thicken/closest_point.h"
 #include "thicken/error.h"
 
 namespace thicken {
@@ -19,6 +22,20 @@ struct PlaceHash {
     return hash;
   }
 };
+
+// The value at a point of a triangle, linear over it; of one without area, that of a corner.
+double valueOn(const TriangleMesh& mesh, std::span<const double> values, const ClosestPoint& c) {
+  const auto& [i, j, k] = mesh.triangles[c.triangle];
+  const Vec3& p = mesh.positions[i];
+  const Vec3 u = mesh.positions[j] - p, v = mesh.positions[k] - p, w = c.point - p;
+  const double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), area2 = uu * vv - uv * uv;
+  if (!(area2 > 0)) return values[mesh.triangles[c.triangle][c.corner]];
+  const double alongU = (vv * u.dot(w) - uv * v.dot(w)) / area2,
+               alongV = (uu * v.dot(w) - uv * u.dot(w)) / area2;
+  const auto [least, most] = std::minmax({values[i], values[j], values[k]});
+  return std::clamp(values[i] + alongU * (values[j] - values[i]) + alongV * (values[k] - values[i]), least,
+                    most);
+}
 
 }  // namespace
 
@@ -36,15 +53,11 @@ std::vector<double> valuesAt(const TriangleMesh& from, std::span<const double> v
   }
   std::vector<double> there;
   there.reserve(to.positions.size());
+  std::optional<ClosestPointTree> tree;  // only where a vertex is new
   for (const Vec3& p : to.positions) {
     const auto place = at.find(p);
-    if (place == at.end())
-      throw Error(
-          ErrorCode::kInvalidArgument,
-          fmt::format("the surface got a new vertex at {}, which has no value of {}; mend the surface "
-                      "first, and give the repaired one values",
-                      text(p), what));
-    there.push_back(place->second);
+    if (place == at.end() && !tree) tree.emplace(from);
+    there.push_back(place != at.end() ? place->second : valueOn(from, values, *tree->closest(p)));
   }
   return there;
 }

@@ -12,8 +12,9 @@
 
 namespace thicken {
 
-/// For each vertex of `to` the value of the vertex of `from` in the same place. Throws kInvalidArgument, with
-/// `what` the values are, where vertices in one place have different ones, or none is there.
+/// For each vertex of `to` the value of the vertex of `from` in the same place; of a new one, as where a
+/// repair divided a triangle or filled a hole, that of the closest point of `from`, linear over its triangle.
+/// Throws kInvalidArgument, with `what` the values are, where vertices in one place have different ones.
 [[nodiscard]] std::vector<double> valuesAt(const TriangleMesh& from, std::span<const double> values,
                                            const TriangleMesh& to, std::string_view what);
 
