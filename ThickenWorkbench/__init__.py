@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import thicken
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 
 if TYPE_CHECKING:
     from thicken import (

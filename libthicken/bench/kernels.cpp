@@ -23,6 +23,10 @@
 #include "thicken/thicken.h"
 
 namespace thicken {
+
+using mesh::Bounds;
+using mesh::boundsOf;
+
 namespace {
 
 constexpr int kAllThreads = 0;
@@ -49,7 +53,7 @@ void buildTree(benchmark::State& state, const SubjectPtr& subject) {
 // Points below triangles all over the surface.
 std::vector<Vec3> pointsBelow(const TriangleMesh& surface, double distance) {
   constexpr std::size_t kCount = 1 << 14, kStride = 7919;  // a prime: neighbours do not follow each other
-  const auto normals = faceNormals(surface.positions, surface.triangles);
+  const auto normals = mesh::faceNormals(surface.positions, surface.triangles);
   std::vector<Vec3> points;
   for (std::size_t i = 0; i < kCount; ++i) {
     const std::size_t t = i * kStride % surface.triangles.size();
@@ -82,16 +86,17 @@ void checkSurface(benchmark::State& state, const SubjectPtr& subject) {
 void findMeetings(benchmark::State& state, const SubjectPtr& subject) {
   for (auto _ : state) {
     const exact::PairSearch search(subject->surface, exact::PairSearch::kAll, kAllThreads);
-    benchmark::DoNotOptimize(meetingsOf(search, {}, kAllThreads));
+    benchmark::DoNotOptimize(checking::meetingsOf(search, {}, kAllThreads));
   }
   countTriangles(state, subject->surface);
 }
 
-SweepResult swept(const Subject& subject, const ClosestPointTree& tree) {
+sweep::SweepResult swept(const Subject& subject, const ClosestPointTree& tree) {
   const Options options;
   const RunContext context;
-  Stopwatch watch;
-  return sweep({subject.surface, tree, Thickness(subject.thickness), options, context, kAllThreads, watch});
+  job::Stopwatch watch;
+  return sweep::sweep(
+      {subject.surface, tree, job::Thickness(subject.thickness), options, context, kAllThreads, watch});
 }
 
 void sweepSurface(benchmark::State& state, const SubjectPtr& subject) {
@@ -103,7 +108,8 @@ void sweepSurface(benchmark::State& state, const SubjectPtr& subject) {
 void auditSolid(benchmark::State& state, const SubjectPtr& subject) {
   const TriangleMesh solid = swept(*subject, ClosestPointTree(subject->surface)).mesh;
   for (auto _ : state) {
-    const AuditResult proof = audit(solid, subject->surface, Side::kNegative, {}, kAllThreads);
+    const checking::AuditResult proof =
+        checking::audit(solid, subject->surface, Side::kNegative, {}, kAllThreads);
     if (!proof.facts.passed()) state.SkipWithError("the audit failed");
   }
   countTriangles(state, solid);

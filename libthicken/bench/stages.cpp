@@ -25,21 +25,27 @@
 #include "thicken/io.h"
 
 namespace thicken {
+
+using reconstruct::Assembly;
+using reconstruct::Contour;
+using reconstruct::Contourer;
+
 namespace {
 
 void writeNodes(const Contourer& contourer, const std::filesystem::path& file) {
   std::ofstream out(file);
-  contourer.field().forEach([&](const Vec3& p, const NodeField::Sample& sample) {
+  contourer.field().forEach([&](const Vec3& p, const field::NodeField::Sample& sample) {
     constexpr char kLetter[] = {'i', 'f', 'b', 'r'};
     out << fmt::format("{} {} {} {}\n", p.x(), p.y(), p.z(), kLetter[static_cast<int>(sample.standing)]);
   });
 }
 
-void writeRimCells(const Contour& contour, const UniformGrid& grid, const std::filesystem::path& file) {
+void writeRimCells(const Contour& contour, const field::UniformGrid& grid,
+                   const std::filesystem::path& file) {
   std::ofstream out(file);
   out << fmt::format("{}\n", grid.width());
-  for (const RimWay& way : contour.ways)
-    for (const RimVisit& visit : way) {
+  for (const contour::RimWay& way : contour.ways)
+    for (const contour::RimVisit& visit : way) {
       const Vec3 p = grid.node(visit.cell);
       out << fmt::format("{} {} {}\n", p.x(), p.y(), p.z());
     }
@@ -50,7 +56,7 @@ void writeFaces(Assembly assembly, std::span<const Vec3> shaped, const std::file
   for (const Region region : assembly.region) regions << static_cast<int>(region) << '\n';
   writeMesh((folder / "faces.ply").string(), assembly.mesh);
   for (std::size_t i = 0; i < shaped.size(); ++i)
-    assembly.mesh.positions[assembly.carrierVertices + i] = roundToFloat(shaped[i]);
+    assembly.mesh.positions[assembly.carrierVertices + i] = mesh::roundToFloat(shaped[i]);
   writeMesh((folder / "shaped.ply").string(), assembly.mesh);
 }
 
@@ -60,21 +66,22 @@ void run(const std::string& input, double thickness, double cell, const std::fil
   const RunContext context;
   constexpr int kAllThreads = 0, kRounds = 15;
   const Options options;
-  Stopwatch watch;
-  const Job job{surface, tree, Thickness(thickness), options, context, kAllThreads, watch};
-  const SweepResult swept = sweep(job, Polish::kNo);
+  job::Stopwatch watch;
+  const job::Job job{surface, tree, job::Thickness(thickness), options, context, kAllThreads, watch};
+  const sweep::SweepResult swept = sweep::sweep(job, sweep::Polish::kNo);
   std::vector<std::uint8_t> keep;
   for (const Region region : swept.region) keep.push_back(region != Region::kShell);
-  DeepWalls walls(job, swept);
+  reconstruct::DeepWalls walls(job, swept);
   walls.fit(keep);
-  const Carrier carrier = makeCarrier(swept, walls.positions(), walls.up(), surface.triangles.size(), keep,
-                                      cell, nullptr, kAllThreads);
-  const Membership membership(carrier.mesh, tree, surface.triangles.size(), job.thickness);
+  const reconstruct::Carrier carrier = reconstruct::makeCarrier(
+      swept, walls.positions(), walls.up(), surface.triangles.size(), keep, cell, nullptr, kAllThreads);
+  const field::Membership membership(carrier.mesh, tree, surface.triangles.size(), job.thickness);
   Contourer contourer(job, cell, {}, nullptr);
   Contour contour = contourer.contour(carrier, membership, {});
-  const Assembly assembly = assemble(carrier, contour.dual, contour.crossings, contour.ways, kAllThreads);
-  const std::vector<Vec3> shaped = shapedPositions(assembly, contour.dual, contour.crossings, membership,
-                                                   cell, kRounds, context, kAllThreads);
+  const Assembly assembly =
+      reconstruct::assemble(carrier, contour.dual, contour.crossings, contour.ways, kAllThreads);
+  const std::vector<Vec3> shaped = reconstruct::shapedPositions(
+      assembly, contour.dual, contour.crossings, membership, cell, kRounds, context, kAllThreads);
   std::filesystem::create_directories(folder);
   writeNodes(contourer, folder / "nodes.txt");
   writeRimCells(contour, contourer.grid(), folder / "cells.txt");

@@ -16,7 +16,7 @@ namespace {
 // How many times as fast as one thread so many are.
 double speedup(int threads) {
   constexpr double kShared = 0.88;  // of the work, as two threads take it (docs/performance.md)
-  return 1 / (1 - kShared + kShared / threadCount(threads));
+  return 1 / (1 - kShared + kShared / parallel::threadCount(threads));
 }
 
 }  // namespace
@@ -25,7 +25,7 @@ SurfaceFacts sizesOf(const TriangleMesh& surface) {
   SurfaceFacts facts;
   facts.triangles = surface.triangles.size();
   facts.vertices = surface.positions.size();
-  if (!surface.triangles.empty()) addSizes(surface, facts);
+  if (!surface.triangles.empty()) checking::addSizes(surface, facts);
   return facts;
 }
 
@@ -49,10 +49,10 @@ Forecast forecast(const SurfaceFacts& surface, const Options& options) noexcept 
   constexpr std::size_t kBytesPerTriangle = 1500, kBesideContour = 1100, kBase = std::size_t{16} << 20;
   const std::size_t shells = options.side == Side::kBoth ? 2 : 1;
   const std::size_t swept = surface.triangles * (1 + shells) / 2;
-  const double crossings = predictedCrossings(surface, options);
+  const double crossings = pipeline::predictedCrossings(surface, options);
   Forecast told;
   told.leastBytes = kBase + kBytesPerTriangle * swept;
-  told.bytes = told.leastBytes + wholeBytes(static_cast<std::size_t>(crossings)) +
+  told.bytes = told.leastBytes + reconstruct::wholeBytes(static_cast<std::size_t>(crossings)) +
                (crossings > 0 ? kBesideContour * surface.triangles : 0);
   told.seconds = (kSecondsPerTriangle * static_cast<double>(swept) + kSecondsPerCrossing * crossings) /
                  speedup(options.threads);

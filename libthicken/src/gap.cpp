@@ -22,7 +22,12 @@
 #include "repair/workpiece.h"
 #include "thicken/thicken.h"
 
-namespace thicken {
+namespace thicken::pipeline {
+
+using measure::repairWarning;
+using mesh::text;
+using parallel::parallelFor;
+
 namespace {
 
 // Below this share of what was asked for a gap is too small.
@@ -33,7 +38,7 @@ constexpr double kGapShare = 0.4;
 // The options of the first solid, whose shell becomes the gap surface. That shell is round, so that it is at
 // the gap from S beside edges of S, too.
 Options optionsOfGap(const Options& options) {
-  Options first = withoutRimProfile(options);
+  Options first = job::withoutRimProfile(options);
   first.gap = 0;
   first.thickness = options.gap;
   first.thicknessMap.clear();
@@ -47,7 +52,7 @@ Options optionsOfGap(const Options& options) {
 std::vector<double> mapOn(const TriangleMesh& gapSurface, const TriangleMesh& surface,
                           const std::vector<double>& factors, const RunContext& context, int threads) {
   if (factors.empty()) return {};
-  const Thickness ofSurface(surface, factors);
+  const job::Thickness ofSurface(surface, factors);
   const ClosestPointTree tree(surface, threads);
   std::vector<double> map(gapSurface.positions.size());
   parallelFor(map.size(), threads, context, 256,
@@ -95,7 +100,7 @@ void dropNear(TriangleMesh& shell, std::span<const double> distance, double leas
   std::erase_if(shell.triangles, [&](const Triangle& t) {
     const auto [a, b, c] = t;
     if (std::min({distance[a], distance[b], distance[c]}) >= least) return false;
-    leftOut += areaOf(shell.positions, t);
+    leftOut += measure::areaOf(shell.positions, t);
     return true;
   });
 }
@@ -103,7 +108,7 @@ void dropNear(TriangleMesh& shell, std::span<const double> distance, double leas
 // Makes a surface of a shell: parts of a shell may touch in points, and shreds may lie between walls. Parts
 // smaller than the square of the gap go, but for the largest.
 TriangleMesh withoutShreds(TriangleMesh shell, double gap, double& leftOut) {
-  const VertexTriangles around = vertexTriangles(shell.positions.size(), shell.triangles);
+  const mesh::VertexTriangles around = mesh::vertexTriangles(shell.positions.size(), shell.triangles);
   repairing::Workpiece piece(std::move(shell));
   repairing::openNonManifoldVertices(piece, around);
   const std::size_t count = piece.mesh.triangles.size();
@@ -116,7 +121,7 @@ TriangleMesh withoutShreds(TriangleMesh shell, double gap, double& leftOut) {
       left.push_back(piece.mesh.triangles[t]);
       area.push_back(piece.area(t));
     }
-  const Components parts = componentsOf(piece.mesh.positions.size(), left);
+  const mesh::Components parts = mesh::componentsOf(piece.mesh.positions.size(), left);
   std::vector<double> size(parts.count, 0);
   for (std::size_t t = 0; t < left.size(); ++t) size[parts.ofTriangle[t]] += area[t];
   const double least = size.empty() ? 0 : std::min(gap * gap, *std::max_element(size.begin(), size.end()));
@@ -146,7 +151,7 @@ void warnOfGap(Report& report, const Vec3& place) {
   if (gap.shortShare >= kMuch)
     told = fmt::format(
         "there is no room for the gap of {:.4g} mm at {} of the surface, such as at {}, and no solid there",
-        gap.asked, percentText(gap.shortShare), text(place));
+        gap.asked, measure::percentText(gap.shortShare), text(place));
   if (gap.least < kTooSmall * gap.asked)
     told += fmt::format(
         "{}the solid comes within {:.4g} mm of the surface at {}, nearer than the gap of {:.4g} mm",
@@ -223,7 +228,7 @@ Solid thickenAtGap(const TriangleMesh& surface, const Options& options, RunConte
   gap.error = first.report.shellErrorFullDepth;
   gap.shortShare = first.report.thinShare;
   const bool turned = options.side == Side::kNegative;
-  const int threads = threadCount(options.threads);
+  const int threads = parallel::threadCount(options.threads);
   const ClosestPointTree tree(weld(surfaceOf(first, Region::kOriginal, false)), threads);
   TriangleMesh shell = surfaceOf(first, Region::kShell, turned);
   dropNear(shell, distances(shell.positions, tree, context, threads), kTooSmall * options.gap, gap.leftOut);
@@ -251,4 +256,4 @@ Solid thickenAtGap(const TriangleMesh& surface, const Options& options, RunConte
   }
 }
 
-}  // namespace thicken
+}  // namespace thicken::pipeline

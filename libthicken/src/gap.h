@@ -8,9 +8,9 @@
 #include "thicken/result.h"
 #include "thicken/run_context.h"
 
-namespace thicken {
+namespace thicken::pipeline {
 
 /// thicken() with Options::gap above 0.
 [[nodiscard]] Solid thickenAtGap(const TriangleMesh& surface, const Options& options, RunContext context);
 
-}  // namespace thicken
+}  // namespace thicken::pipeline

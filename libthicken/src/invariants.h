@@ -3,10 +3,10 @@
 
 #include <atomic>
 
-namespace thicken {
+namespace thicken::pipeline {
 
 /// Whether a violated invariant (ErrorCode::kInternal) ends the run, as it does in tests. Else the sweep,
 /// which is audited as all is, stands for what was to be made, and the report and a warning say so.
 inline std::atomic<bool> violationsEndRuns{false};
 
-}  // namespace thicken
+}  // namespace thicken::pipeline

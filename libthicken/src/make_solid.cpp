@@ -18,7 +18,14 @@
 #include "sweep/sweep.h"
 #include "thicken/error.h"
 
-namespace thicken {
+namespace thicken::pipeline {
+
+using job::Job;
+using measure::areaOf;
+using measure::Measure;
+using reconstruct::heldBytes;
+using reconstruct::Reconstruction;
+using sweep::SweepResult;
 
 namespace {
 
@@ -28,7 +35,7 @@ std::vector<Fallback> piecesLeft(const Reconstruction& made, int threads) {
   for (std::size_t t = 0; t < made.left.size(); ++t)
     if (made.left[t]) left.push_back(made.mesh.triangles[t]);
   if (left.empty()) return {};
-  const Components pieces = componentsOf(made.mesh.positions.size(), left, threads);
+  const mesh::Components pieces = mesh::componentsOf(made.mesh.positions.size(), left, threads);
   std::vector<Fallback> fallbacks(
       pieces.count,
       {"contour",
@@ -77,9 +84,9 @@ class SolidMaker {
     if (deepens) {
       makeBoth();
     } else if (method_ == Method::kReconstruct) {
-      better_ = ofContour(reconstruct(job_));
+      better_ = ofContour(reconstruct::reconstruct(job_));
     } else {
-      takeSweep(sweep(job_));
+      takeSweep(sweep::sweep(job_));
       job_.watch.lap("sweep");
     }
     Solid solid = proved();
@@ -93,15 +100,15 @@ class SolidMaker {
   // The sweep with the contour of the field where it is short of the thickness; the contour alone where the
   // sweep would be short of it nearly everywhere.
   void makeBoth() {
-    std::optional<SweepResult> swept = sweepUnlessShort(job_, mostShort(job_));
+    std::optional<SweepResult> swept = sweep::sweepUnlessShort(job_, reconstruct::mostShort(job_));
     job_.watch.lap("sweep");
     context_.enter(Stage::kField, progress::kSwept, progress::kShaped, work_.contour);
     if (!swept) {
-      makeBetter([&] { return std::optional(reconstruct(job_)); });
+      makeBetter([&] { return std::optional(reconstruct::reconstruct(job_)); });
       if (better_) return;
-      swept = sweep(job_);
+      swept = sweep::sweep(job_);
     }
-    makeBetter([&] { return deepen(job_, *swept); });
+    makeBetter([&] { return reconstruct::deepen(job_, *swept); });
     takeSweep(*std::move(swept));
   }
 
@@ -150,7 +157,7 @@ class SolidMaker {
     report.input = input_;
     report.thickness = job_.options.thickness;
     report.side = job_.options.side;
-    report.join = joinOf(job_.options);
+    report.join = measure::joinOf(job_.options);
     report.asked = method_;
     report.method = method;
     report.threads = job_.threads;
@@ -168,7 +175,7 @@ class SolidMaker {
         if (method_ != Method::kAuto || !leavesTheSweep(e)) throw;
         fallbacks_.push_back(fallbackFor(e, "audit", given_));
       }
-    if (!swept_) takeSweep(sweep(job_));
+    if (!swept_) takeSweep(sweep::sweep(job_));
     simplifyIt(*swept_);
     const SimplifyFacts& fewer = swept_->report.simplify;
     prove(*swept_, fewer.after == fewer.before ? std::span<const TriangleId>(sweptOrder_)
@@ -183,7 +190,7 @@ class SolidMaker {
     context_.enter(Stage::kShaping, progress::kShaped, progress::kSimplified,
                    static_cast<double>(before) / 30);
     Simplify what = job_.options.simplify;
-    const std::size_t needed = heldBytes(job_.surface) + bytesToSimplify(before);
+    const std::size_t needed = heldBytes(job_.surface) + simplify::bytesToSimplify(before);
     if (what != Simplify::kOff && context_.memoryLimit() != 0 && needed > context_.memoryLimit()) {
       what = Simplify::kOff;
       solid.report.warnings.push_back(
@@ -191,15 +198,17 @@ class SolidMaker {
                       "the memory limit",
                       (needed >> 20) + 1));
     }
-    solid.report.simplify = simplify(job_, solid.mesh, solid.region, what);
+    solid.report.simplify = simplify::simplify(job_, solid.mesh, solid.region, what);
     job_.watch.lap("simplify");
   }
 
   // `order`: audit()'s.
   void prove(Solid& solid, std::span<const TriangleId> order) {
     context_.enter(Stage::kAuditing, progress::kSimplified, progress::kAudited, work_.audit);
-    const std::size_t most = auditedAtATime(solid.mesh.triangles.size(), heldBytes(given_), context_);
-    AuditResult proof = audit(solid.mesh, given_, job_.options.side, context_, job_.threads, order, most);
+    const std::size_t most =
+        reconstruct::auditedAtATime(solid.mesh.triangles.size(), heldBytes(given_), context_);
+    checking::AuditResult proof =
+        checking::audit(solid.mesh, given_, job_.options.side, context_, job_.threads, order, most);
     solid.report.audit = proof.facts;
     if (proof.facts.passed()) return;
     std::string why = proof.defects.empty() ? "the audit failed" : proof.defects.front().sentence;
@@ -212,7 +221,8 @@ class SolidMaker {
     const SimplifyFacts& fewer = solid.report.simplify;
     if (solid.report.method != Method::kSweep || fewer.after != fewer.before)
       sweptShell_ = {};  // another mesh than the sweep's
-    measure(solid, job_, std::move(sweptShell_), isProved ? Measure::kAll : Measure::kRepresentative);
+    measure::measure(solid, job_, std::move(sweptShell_),
+                     isProved ? Measure::kAll : Measure::kRepresentative);
     job_.watch.lap("measure");
   }
 
@@ -223,7 +233,7 @@ class SolidMaker {
   Work work_;
   RunContext context_;
   std::optional<Solid> better_, swept_;  // that the method may come to
-  ShellDistances sweptShell_;
+  measure::ShellDistances sweptShell_;
   std::vector<TriangleId> sweptOrder_;  // audit()'s, for the sweep
   std::vector<Fallback> fallbacks_;     // what was made of less than it was to be
 };
@@ -234,4 +244,4 @@ Solid makeSolid(const Job& job, const TriangleMesh& given, const SurfaceFacts& i
   return SolidMaker(job, given, input).make();
 }
 
-}  // namespace thicken
+}  // namespace thicken::pipeline

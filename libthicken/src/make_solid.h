@@ -7,11 +7,11 @@
 #include "plan.h"
 #include "thicken/result.h"
 
-namespace thicken {
+namespace thicken::pipeline {
 
 /// The solid of `job`, proved and measured. `given`: S as it is to be kept, not turned to the side of the
 /// material. `input`: the facts of the surface before any repair. Throws kNoSolid with the place,
 /// kMemoryLimit, kCancelled.
-[[nodiscard]] Solid makeSolid(const Job& job, const TriangleMesh& given, const SurfaceFacts& input);
+[[nodiscard]] Solid makeSolid(const job::Job& job, const TriangleMesh& given, const SurfaceFacts& input);
 
-}  // namespace thicken
+}  // namespace thicken::pipeline

@@ -10,7 +10,7 @@
 
 #include "thicken/error.h"
 
-namespace thicken {
+namespace thicken::pipeline {
 
 namespace {
 
@@ -179,4 +179,4 @@ Work workFor(const SurfaceFacts& surface, const Options& options) {
   return work;
 }
 
-}  // namespace thicken
+}  // namespace thicken::pipeline

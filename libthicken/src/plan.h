@@ -8,7 +8,7 @@
 #include "thicken/options.h"
 #include "thicken/surface_facts.h"
 
-namespace thicken {
+namespace thicken::pipeline {
 
 /// Throws kInvalidArgument for options that are out of range or contradict one another.
 void requireValid(const Options& options);
@@ -29,4 +29,4 @@ struct Work {
 };
 [[nodiscard]] Work workFor(const SurfaceFacts& surface, const Options& options);
 
-}  // namespace thicken
+}  // namespace thicken::pipeline

@@ -24,6 +24,12 @@
 
 namespace thicken {
 
+using job::Stopwatch;
+using job::thicknessOf;
+using measure::ErrorBound;
+using pipeline::workFor;
+using platform::peakMemory;
+
 namespace {
 
 // The factors of the thickness at places, whatever becomes of the mesh that they were given for.
@@ -31,7 +37,8 @@ struct ThicknessMap {
   TriangleMesh places;
   std::vector<double> factors;  // per vertex of it; empty: there is none
   [[nodiscard]] std::vector<double> on(const TriangleMesh& surface) const {
-    return factors.empty() ? std::vector<double>() : valuesAt(places, factors, surface, "the thickness map");
+    return factors.empty() ? std::vector<double>()
+                           : mesh::valuesAt(places, factors, surface, "the thickness map");
   }
 };
 
@@ -44,7 +51,7 @@ ThicknessMap mapAt(TriangleMesh places, const Options& options) {
 // The surface in the coordinates that it will be stored in, not welded yet.
 TriangleMesh stored(TriangleMesh surface, Precision precision) {
   if (precision == Precision::kSingle)
-    for (Vec3& p : surface.positions) p = roundToFloat(p);
+    for (Vec3& p : surface.positions) p = mesh::roundToFloat(p);
   return surface;
 }
 
@@ -116,15 +123,15 @@ Solid solidOf(const TriangleMesh& surface, const ThicknessMap& map, const Surfac
   watch.lap("tree");
   std::optional<ThicknessFacts> facts;
   std::optional<RimFacts> rim;
-  const Job job{oriented, tree,    thicknessOf(oriented, options, map.on(oriented), facts, rim),
-                options,  context, threads,
-                watch};
-  Solid solid = makeSolid(job, surface, input);
+  const job::Job job{oriented, tree,    thicknessOf(oriented, options, map.on(oriented), facts, rim),
+                     options,  context, threads,
+                     watch};
+  Solid solid = pipeline::makeSolid(job, surface, input);
   solid.report.thicknessMap = facts;
   solid.report.rim = rim;
   if (!options.tolerance) return solid;
-  context.enter(Stage::kMeasuring, progress::kMeasured, 1, workFor(input, options).tolerance);
-  const ErrorBound bound = boundShellError(job, solid.mesh, solid.region, *options.tolerance);
+  context.enter(Stage::kMeasuring, pipeline::progress::kMeasured, 1, workFor(input, options).tolerance);
+  const ErrorBound bound = measure::boundShellError(job, solid.mesh, solid.region, *options.tolerance);
   watch.lap("tolerance");
   if (bound.most > *options.tolerance) refuseTolerance(bound, *options.tolerance);
   solid.report.shellErrorBound = bound.most;
@@ -140,15 +147,15 @@ std::vector<VertexId> verticesWithoutRoom(const Error& error) {
 // The vertices of a surface that a sweep finds no room below. It may be a patch, whose rim is not that of S.
 std::vector<VertexId> trySweep(TriangleMesh surface, const ThicknessMap& map, const Options& asked,
                                const RunContext& context, int threads) {
-  const Options options = withoutRimProfile(asked);
+  const Options options = job::withoutRimProfile(asked);
   surface = orientedFor(options.side, std::move(surface));
   const ClosestPointTree tree(surface, threads);
   Stopwatch watch;
   std::optional<ThicknessFacts> facts;
   std::optional<RimFacts> rim;
-  const Thickness thickness = thicknessOf(surface, options, map.on(surface), facts, rim);
+  const job::Thickness thickness = thicknessOf(surface, options, map.on(surface), facts, rim);
   try {
-    (void)sweep({surface, tree, thickness, options, context, threads, watch}, Polish::kNo);
+    (void)sweep::sweep({surface, tree, thickness, options, context, threads, watch}, sweep::Polish::kNo);
   } catch (const Error& error) {
     const std::vector<VertexId> vertices = verticesWithoutRoom(error);
     if (vertices.empty()) throw;
@@ -182,20 +189,20 @@ Solid solidOfRepaired(RepairResult& surface, const ThicknessMap& map, const Opti
 }
 
 Solid thickenKnown(const TriangleMesh& input, const Options& options, RunContext context, Known& known) {
-  const int threads = threadCount(options.threads);
+  const int threads = parallel::threadCount(options.threads);
   Stopwatch watch;
 
-  requireMapOf(input, options);
+  pipeline::requireMapOf(input, options);
   TriangleMesh places = stored(input, options.precision);
   TriangleMesh given = weld(places, threads);
   const ThicknessMap map = mapAt(std::move(places), options);
   const SurfaceFacts sizes = sizesOf(given);
   const Forecast predicted = forecast(sizes, options);
-  context.enter(Stage::kChecking, 0, progress::kChecked, workFor(sizes, options).check);
+  context.enter(Stage::kChecking, 0, pipeline::progress::kChecked, workFor(sizes, options).check);
   known.predictedMemory = predicted.leastBytes;
   context.reserve(predicted.leastBytes, "thicken a part of the surface at a time, or simplify it first");
   RepairResult surface = validSurface(std::move(given), options, context, threads, watch, known);
-  requireRoom(surface.mesh, options);
+  pipeline::requireRoom(surface.mesh, options);
   const NearRims near =
       surface.facts.surface.rims > 0 ? nearRims(surface.mesh, context, threads) : NearRims{};
 
@@ -214,7 +221,7 @@ Solid thickenKnown(const TriangleMesh& input, const Options& options, RunContext
     solid.repaired = std::move(surface.mesh);
   }
   solid.report.nearRims = near;
-  addWarnings(solid.report);
+  measure::addWarnings(solid.report);
   if (known.repair)
     for (std::string& told : repairing::additions(*known.repair))
       solid.report.warnings.push_back(std::move(told));
@@ -229,8 +236,8 @@ Solid thickenKnown(const TriangleMesh& input, const Options& options, RunContext
 }  // namespace
 
 Solid thicken(const TriangleMesh& surface, const Options& options, RunContext context) {
-  requireValid(options);
-  if (options.gap > 0) return thickenAtGap(surface, options, std::move(context));
+  pipeline::requireValid(options);
+  if (options.gap > 0) return pipeline::thickenAtGap(surface, options, std::move(context));
   Known known;
   try {
     return thickenKnown(surface, options, std::move(context), known);

@@ -12,6 +12,9 @@
 #include "plain_shapes.h"
 
 namespace thicken {
+
+using checking::AuditResult;
+
 namespace {
 
 using shapes::box;
@@ -22,7 +25,7 @@ using shapes::together;
 
 AuditResult auditOf(const TriangleMesh& solid, const TriangleMesh& surface, Side side = Side::kNegative,
                     int threads = 2) {
-  return audit(solid, surface, side, RunContext(), threads);
+  return checking::audit(solid, surface, side, RunContext(), threads);
 }
 
 // The names of the verdicts that are negative, in the order of AuditFacts.
@@ -75,7 +78,7 @@ TEST_F(AuditTest, PassesASolidAroundTheSurfaceThatKeepsItsRim) {
     solid.triangles.push_back({top + t[0], top + t[1], top + t[2]});
     solid.triangles.push_back({bottom + t[0], bottom + t[2], bottom + t[1]});
   }
-  for (const RimEdge& e : rimOf(copies_, surface_.triangles).edges) {
+  for (const mesh::RimEdge& e : mesh::rimOf(copies_, surface_.triangles).edges) {
     for (const auto& [over, under] : {std::pair{top, VertexId{0}}, std::pair{VertexId{0}, bottom}}) {
       solid.triangles.push_back({over + e.to, over + e.from, under + e.from});
       solid.triangles.push_back({over + e.to, under + e.from, under + e.to});
@@ -230,11 +233,11 @@ TEST(Nesting, DecidesTheSenseOfAnyShellFromItsLowestVertex) {
     Eigen::Matrix3d turn = Eigen::Matrix3d::Zero();
     for (int k = 0; k < 3; ++k) turn(k, axes[k]) = height(random) == 1 ? -1 : 1;
     for (Vec3& p : solid.positions) p = turn * p;
-    const HalfEdges edges(solid.positions.size(), solid.triangles);
-    const Components shells = componentsOf(solid.positions.size(), solid.triangles);
+    const mesh::HalfEdges edges(solid.positions.size(), solid.triangles);
+    const mesh::Components shells = mesh::componentsOf(solid.positions.size(), solid.triangles);
     ASSERT_EQ(shells.count, 1u);
-    const VertexId lowest = lowestVertices(solid, shells)[0];
-    EXPECT_EQ(facesOutward(solid, edges, lowest), turn.determinant() > 0) << i;
+    const VertexId lowest = checking::lowestVertices(solid, shells)[0];
+    EXPECT_EQ(checking::facesOutward(solid, edges, lowest), turn.determinant() > 0) << i;
     EXPECT_EQ(failures(auditOf(turn.determinant() > 0 ? solid : reversed(solid), {})), "");
   }
 }

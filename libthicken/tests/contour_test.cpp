@@ -5,12 +5,16 @@
 #include "mesh/topology.h"
 
 namespace thicken {
+
+using contour::RimWay;
+using field::UniformGrid;
+
 namespace {
 
 // A triangle whose three edges are the rim.
 std::vector<RimWay> waysOf(const std::vector<Vec3>& positions, const UniformGrid& grid) {
   const std::vector<Triangle> triangles{{0, 1, 2}};
-  return rimWays(grid, positions, rimOf(positions.size(), triangles));
+  return contour::rimWays(grid, positions, mesh::rimOf(positions.size(), triangles));
 }
 
 TEST(RimWays, OfALoopWithinOneCellAreOneVisit) {
@@ -38,7 +42,7 @@ TEST(RimWays, PassFromCellToNeighbourAllTheWayRound) {
   std::size_t vertices = 0;
   for (std::size_t i = 0; i < way.size(); ++i) {
     vertices += way[i].vertices.size();
-    const RimVisit& next = way[(i + 1) % way.size()];
+    const contour::RimVisit& next = way[(i + 1) % way.size()];
     const int axis = static_cast<int>(way[i].exit.face & 3);
     for (int k = 0; k < 3; ++k) EXPECT_EQ(next.cell[k] - way[i].cell[k], k == axis ? way[i].exit.sign : 0);
     EXPECT_NE(next.cell, way[(i + way.size() - 1) % way.size()].cell) << "an excursion remains";

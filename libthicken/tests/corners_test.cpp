@@ -17,6 +17,11 @@
 #include "thicken/thicken.h"
 
 namespace thicken {
+
+using measure::OffsetError;
+using mesh::faceNormals;
+using mesh::vertexTriangles;
+
 namespace {
 
 // A coarse sheet whose inner vertices have six planes each: no point is at one distance from all of them.
@@ -31,7 +36,7 @@ TriangleMesh rugged(VertexId columns, VertexId rows, unsigned seed) {
 double shareOff(const TriangleMesh& surface, double r, double most) {
   const OwnJob own(surface, r);
   const ClosestPointTree& tree = own.tree;
-  const SweepResult swept = sweep(own.job);
+  const sweep::SweepResult swept = sweep::sweep(own.job);
   const auto normal = faceNormals(surface.positions, surface.triangles, 1);
   const auto around = vertexTriangles(surface.positions.size(), surface.triangles);
   const OffsetError error(own.job, normal, around, Join::kMitre);

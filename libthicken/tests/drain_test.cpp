@@ -106,7 +106,7 @@ TEST(Drill, LeavesTheRestAsItWas) {
 
 TEST(Drill, NewVerticesAreFloats) {
   const DrilledSolid drilled = drill(hollowBox(), hole({9.7, 10.3, 2}, {0.1, 0.2, -1}, 3));
-  for (const Vec3& p : drilled.mesh.positions) EXPECT_TRUE(isFloat(p));
+  for (const Vec3& p : drilled.mesh.positions) EXPECT_TRUE(mesh::isFloat(p));
 }
 
 TEST(Drill, SlantedHole) {
@@ -139,7 +139,7 @@ TEST(Drill, ThroughManySmallTriangles) {
   options.precision = Precision::kSingle;
   TriangleMesh surface = shapes::parametric(
       60, 60, [](double u, double v) { return Vec3(30 * u, 30 * v, 3 * std::sin(5 * u) * std::cos(4 * v)); });
-  for (Vec3& p : surface.positions) p = roundToFloat(p);
+  for (Vec3& p : surface.positions) p = mesh::roundToFloat(p);
   const Solid solid = thicken(surface, options);
   for (const double diameter : {0.4, 2., 5.}) {
     const Vec3 place = surface.positions[61 * 30 + 30];

@@ -15,6 +15,11 @@
 #include "thicken/thicken.h"
 
 namespace thicken {
+
+using bvh::PreparedTriangle;
+using bvh::squaredGap;
+using measure::ErrorBound;
+
 namespace {
 
 using namespace shapes;  // NOLINT: the surfaces of the tests
@@ -23,7 +28,7 @@ ErrorBound boundOf(const TriangleMesh& surface, const TriangleMesh& solid, std::
                    double r, double tolerance, Side side = Side::kNegative, int threads = 1) {
   OwnJob own(surface, r, side);
   own.job.threads = threads;
-  return boundShellError(own.job, solid, region, tolerance);
+  return measure::boundShellError(own.job, solid, region, tolerance);
 }
 
 // The regions of a slab() of a sheet.

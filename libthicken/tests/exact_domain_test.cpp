@@ -28,6 +28,9 @@
 #include "thicken/thicken.h"
 
 namespace thicken {
+
+using checking::AuditResult;
+
 namespace {
 
 using oracle::Rational;
@@ -35,7 +38,7 @@ using oracle::Rational;
 constexpr double kSubnormal = std::numeric_limits<double>::denorm_min();
 
 AuditResult audited(const TriangleMesh& solid, const TriangleMesh& surface, Side side = Side::kNegative) {
-  return audit(solid, surface, side, {}, 1);
+  return checking::audit(solid, surface, side, {}, 1);
 }
 
 class Magnitudes {
@@ -252,8 +255,8 @@ bool isClosed(const TriangleMesh& mesh) {
 Rational sixfoldVolume(const TriangleMesh& mesh) {
   Rational sum = 0;
   for (const auto& [a, b, c] : mesh.triangles)
-    sum += dot(cross(oracle::point(mesh.positions[a]), oracle::point(mesh.positions[b])),
-               oracle::point(mesh.positions[c]));
+    sum += oracle::dot(oracle::cross(oracle::point(mesh.positions[a]), oracle::point(mesh.positions[b])),
+                       oracle::point(mesh.positions[c]));
   return sum;
 }
 

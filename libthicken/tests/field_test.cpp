@@ -12,6 +12,19 @@
 #include "plain_shapes.h"
 
 namespace thicken {
+
+using contour::EdgePart;
+using field::GridIndex;
+using field::KeyIndex;
+using field::Membership;
+using field::NodeField;
+using field::Probe;
+using field::Standing;
+using field::SurfaceCrossing;
+using field::SurfaceCrossings;
+using field::UniformGrid;
+using mesh::rimOf;
+
 namespace {
 
 UniformGrid gridAround(const TriangleMesh& mesh, double margin, double width) {
@@ -77,7 +90,7 @@ TEST(SurfaceCrossings, OfATriangleThatTouchesAGridLineAreRefused) {
   const std::vector<Triangle> triangles{{0, 1, 2}};
   const SurfaceCrossings surface(grid, positions, triangles, 1);
   std::vector<SurfaceCrossing> crossings;
-  EXPECT_THROW(surface.addTo(crossings, UniformGrid::key({1, 1, 0}, 2)), GridTouches);
+  EXPECT_THROW(surface.addTo(crossings, UniformGrid::key({1, 1, 0}, 2)), field::GridTouches);
 }
 
 TEST(KeyIndex, NumbersKeysAsTheyArrive) {
@@ -116,7 +129,7 @@ TEST(Membership, AnswersAsOneTreeOfTheCarrier) {
   const TriangleMesh sheet = shapes::sheet(10, 8);
   const double r = 1.1;
   TriangleMesh carrier = sheet;
-  for (const RimEdge& e : rimOf(sheet.positions.size(), sheet.triangles).edges) {
+  for (const mesh::RimEdge& e : rimOf(sheet.positions.size(), sheet.triangles).edges) {
     const auto low = static_cast<VertexId>(carrier.positions.size());
     const Vec3 middle = (sheet.positions[e.from] + sheet.positions[e.to]) / 2;
     carrier.positions.push_back(middle - Vec3(0.1, 0.05, 0.8));
@@ -246,14 +259,16 @@ TEST(NodeField, ForgetsWhatIsNextToAMarkedTriangle) {
 class FollowContour : public ::testing::Test {
  protected:
   FollowContour() {
-    for (const RimWay& way :
-         rimWays(grid_, sheet_.positions, rimOf(sheet_.positions.size(), sheet_.triangles)))
-      for (const RimVisit& visit : way) rimCells_.push_back(visit.cell);
+    for (const contour::RimWay& way :
+         contour::rimWays(grid_, sheet_.positions, rimOf(sheet_.positions.size(), sheet_.triangles)))
+      for (const contour::RimVisit& visit : way) rimCells_.push_back(visit.cell);
   }
 
-  [[nodiscard]] std::vector<Crossing> follow(NodeField& field, int threads) const {
-    const auto placing = [&](const EdgePart& part) { return placed(part, grid_, field, membership_); };
-    return followContour(grid_, rimCells_, {}, crossed_, membership_, field, placing, {}, threads);
+  [[nodiscard]] std::vector<contour::Crossing> follow(NodeField& field, int threads) const {
+    const auto placing = [&](const EdgePart& part) {
+      return contour::placed(part, grid_, field, membership_);
+    };
+    return contour::followContour(grid_, rimCells_, {}, crossed_, membership_, field, placing, {}, threads);
   }
 
   const TriangleMesh sheet_ = shapes::sheet(10, 8);
@@ -263,7 +278,7 @@ class FollowContour : public ::testing::Test {
   const UniformGrid grid_ = gridAround(sheet_, r_ + 0.5, 0.3);
   const SurfaceCrossings surface_{grid_, sheet_.positions, sheet_.triangles, 2};
   const SurfaceCrossings nothing_{grid_, sheet_.positions, {}, 1};
-  const CarrierCrossings crossed_{surface_, nothing_};
+  const field::CarrierCrossings crossed_{surface_, nothing_};
   std::vector<GridIndex> rimCells_;
 };
 
@@ -281,8 +296,8 @@ TEST_F(FollowContour, FindsWhatASearchOfEveryEdgeFinds) {
       if (++up[axis] >= grid_.cells()[axis]) continue;
       std::vector<EdgePart> here;
       const std::uint64_t edge = UniformGrid::key(n, axis);
-      crossEdge(grid_, whole, edge, whole.want(UniformGrid::key(n)), whole.want(UniformGrid::key(up)),
-                crossed_.of(edge), here);
+      contour::crossEdge(grid_, whole, edge, whole.want(UniformGrid::key(n)),
+                         whole.want(UniformGrid::key(up)), crossed_.of(edge), here);
       expected += here.size();
     }
   EXPECT_GT(expected, 500u);

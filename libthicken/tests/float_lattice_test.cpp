@@ -8,6 +8,10 @@
 #include <vector>
 
 namespace thicken {
+
+using mesh::isFloat;
+using mesh::roundToFloat;
+
 namespace {
 
 TEST(FloatLattice, RoundsToTheNearestFloat) {

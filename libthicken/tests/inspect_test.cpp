@@ -16,6 +16,10 @@
 #include "thicken/report.h"
 
 namespace thicken {
+
+using bvh::RayTree;
+using mesh::kNone;
+
 namespace {
 
 using shapes::box;

@@ -11,8 +11,8 @@
 namespace thicken {
 
 /// A constant thickness that lives as long as the tests.
-inline const Thickness& thick(double r) {
-  static std::map<double, Thickness> all;
+inline const job::Thickness& thick(double r) {
+  static std::map<double, job::Thickness> all;
   return all.try_emplace(r, r).first->second;
 }
 
@@ -21,8 +21,8 @@ struct OwnJob {
   Options options;
   RunContext context;
   ClosestPointTree tree{surface};
-  Stopwatch watch;
-  Job job{surface, tree, Thickness(options.thickness), options, context, 1, watch};
+  job::Stopwatch watch;
+  job::Job job{surface, tree, job::Thickness(options.thickness), options, context, 1, watch};
 
   OwnJob(TriangleMesh s, Options asked) : surface(std::move(s)), options(std::move(asked)) {}
   OwnJob(TriangleMesh s, double r, Side side = Side::kNegative) : OwnJob(std::move(s), optionsOf(r, side)) {}

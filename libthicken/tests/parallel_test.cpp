@@ -19,6 +19,12 @@
 #include "parallel/parallel_for.h"
 
 namespace thicken {
+
+using field::BlockIndex;
+using field::UniformGrid;
+using mesh::intoBuckets;
+using parallel::parallelFor;
+
 namespace {
 
 constexpr std::size_t kMany = 100'000;  // enough to be shared out
@@ -82,7 +88,7 @@ TEST(ParallelSort, SortsOnAnyNumberOfThreads) {
     std::sort(expected.begin(), expected.end());
     for (const int threads : {1, 2, 3, 4, 8}) {
       auto sorted = numbers;
-      parallelSort(sorted, std::less<>(), threads);
+      mesh::parallelSort(sorted, std::less<>(), threads);
       EXPECT_EQ(sorted, expected) << count << " on " << threads;
     }
   }
@@ -98,7 +104,7 @@ TEST(MergeRuns, MergesRunsOfAnyLength) {
     for (std::size_t i = 0; i + 1 < bounds.size(); ++i)
       std::sort(items.begin() + static_cast<std::ptrdiff_t>(bounds[i]),
                 items.begin() + static_cast<std::ptrdiff_t>(bounds[i + 1]));
-    mergeRuns(items, bounds, std::less<>(), threads);
+    mesh::mergeRuns(items, bounds, std::less<>(), threads);
     EXPECT_EQ(items, expected) << threads;
   }
 }
@@ -128,7 +134,7 @@ TEST(UnionFind, HasTheSmallestMemberAsRootOnAnyNumberOfThreads) {
   constexpr std::uint32_t kSets = 10;
   auto order = someNumbers(kMany, kMany);
   for (const int threads : {1, 2, 4}) {
-    UnionFind sets(kMany + kSets);
+    mesh::UnionFind sets(kMany + kSets);
     sets.joinAll(2 * kMany, threads, [&](std::size_t i) {
       const std::uint32_t a = i < kMany ? static_cast<std::uint32_t>(kMany - 1 - i) : order[i - kMany];
       return std::pair(a + kSets, a);
@@ -159,7 +165,7 @@ TEST(BlockIndex, NumbersKeysAsTheyArrive) {
 }
 
 TEST(BlockBits, AreThoseThatWereSet) {
-  BlockBits<3> bits;
+  field::BlockBits<3> bits;
   std::map<std::uint64_t, std::uint8_t> expected;
   for (const std::uint32_t n : someNumbers(20'000, 1 << 15)) {
     const std::uint64_t key = UniformGrid::key({static_cast<int>(n & 31), static_cast<int>(n >> 5 & 31), 7});

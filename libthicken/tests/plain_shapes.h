@@ -43,7 +43,7 @@ inline TriangleMesh slab(const TriangleMesh& sheet, double depth) {
   for (const Vec3& p : sheet.positions) solid.positions.push_back(p - Vec3(0, 0, depth));
   for (const Triangle& t : sheet.triangles)
     solid.triangles.push_back({copies + t[0], copies + t[2], copies + t[1]});
-  for (const RimEdge& e : rimOf(sheet.positions.size(), sheet.triangles).edges) {
+  for (const mesh::RimEdge& e : mesh::rimOf(sheet.positions.size(), sheet.triangles).edges) {
     solid.triangles.push_back({e.to, e.from, copies + e.from});
     solid.triangles.push_back({e.to, copies + e.from, copies + e.to});
   }

@@ -22,6 +22,23 @@
 #include "thicken/thicken.h"
 
 namespace thicken {
+
+using mesh::rimOf;
+using reconstruct::Assembly;
+using reconstruct::heldBytes;
+using reconstruct::leanBytes;
+using reconstruct::mostShellCrossings;
+using reconstruct::Reconstruction;
+using reconstruct::shellShadows;
+using reconstruct::staysWithin;
+using reconstruct::wholeBytes;
+using reconstruct::widthWithRoom;
+using reconstruct::Window;
+using reconstruct::windowsOf;
+using reconstruct::withWindows;
+using reconstruct::WorkingSet;
+using reconstruct::workingSetFor;
+
 namespace {
 
 Options by(double thickness, double cell, int threads = 1) {
@@ -154,14 +171,14 @@ class Diagonals : public ::testing::Test {
   }
 
   std::vector<Triangle> chosenFor(const std::vector<Vec3>& corners) {
-    chooseDiagonals(assembly_, dual_, crossings_, corners, RunContext(), 1);
+    reconstruct::chooseDiagonals(assembly_, dual_, crossings_, corners, RunContext(), 1);
     return assembly_.mesh.triangles;
   }
 
  private:
   Assembly assembly_;
-  DualSurface dual_;
-  std::vector<Crossing> crossings_;
+  contour::DualSurface dual_;
+  std::vector<contour::Crossing> crossings_;
 };
 
 TEST_F(Diagonals, RunAlongARoundEdge) {
@@ -187,7 +204,7 @@ TEST(StripRegion, IsWhatTheContourGoesOnAs) {
   assembly.crossing = {0, 1, kStrip, kStrip, kStrip, kStrip, kStrip, kStrip};
   assembly.region.assign(8, Region::kShell);
   assembly.region[0] = Region::kWall;
-  labelStrip(assembly, 1);
+  reconstruct::labelStrip(assembly, 1);
   const std::vector<Region> wanted = {Region::kWall, Region::kShell, Region::kWall,  Region::kWall,
                                       Region::kWall, Region::kWall,  Region::kShell, Region::kShell};
   EXPECT_EQ(assembly.region, wanted);
@@ -277,7 +294,7 @@ TEST(WidthWithRoom, IsWiderWhereTheLimitAsksForIt) {
   own.context.setMemoryLimit(fits - leanBytes(crossings) / 20);
   const double wider = widthWithRoom(own.job, crossings, width);
   EXPECT_GT(wider, width);
-  EXPECT_TRUE(hasRoomForField(own.job, mostShellCrossings(shadows, wider)));
+  EXPECT_TRUE(reconstruct::hasRoomForField(own.job, mostShellCrossings(shadows, wider)));
   own.options.cell = width;
   EXPECT_EQ(widthWithRoom(own.job, crossings, width), width) << "asked for by name";
 }
@@ -341,7 +358,7 @@ TEST(CutAround, TakesRingsOfWhatIsOpenable) {
   std::vector<std::uint8_t> keep(mesh.triangles.size(), 1), openable(keep);
   openable[11] = 0;
   const std::vector<TriangleId> cut{8, 9};
-  cutAround(mesh, cut, openable, 2, keep);
+  reconstruct::cutAround(mesh, cut, openable, 2, keep);
   for (std::size_t t = 0; t < keep.size(); ++t) EXPECT_EQ(keep[t] == 0, t >= 4 && t < 14 && t != 11) << t;
 }
 
@@ -351,11 +368,11 @@ struct TwoHoles {
   OwnJob own{shapes::parametric(60, 6, [](double u, double v) { return Vec3(20 * u, 2 * v, 0); }),
              kThickness};
   const TriangleMesh& surface = own.surface;
-  Holes holes;
+  reconstruct::Holes holes;
 
   TwoHoles() {
-    holes.carried = sweep(own.job);
-    SweepResult& swept = holes.carried;
+    holes.carried = sweep::sweep(own.job);
+    sweep::SweepResult& swept = holes.carried;
     swept.up.resize(swept.mesh.positions.size(), Vec3::Zero());
     holes.left.assign(swept.region.size(), 0);
     for (std::size_t t = 0; t < swept.region.size(); ++t) {
@@ -407,8 +424,9 @@ TEST(Windows, ShowWhatIsNearOneHole) {
     std::vector<Triangle> kept;
     for (std::size_t t = 0; t < window.part.keep.size(); ++t)
       if (window.part.keep[t]) kept.push_back(window.part.carried.mesh.triangles[t]);
-    for (const RimEdge& e : rimOf(window.vertex.size(), kept).edges)
-      EXPECT_EQ(std::binary_search(window.cut.edges.begin(), window.cut.edges.end(), Cut::Edge{e.from, e.to}),
+    for (const mesh::RimEdge& e : rimOf(window.vertex.size(), kept).edges)
+      EXPECT_EQ(std::binary_search(window.cut.edges.begin(), window.cut.edges.end(),
+                                   reconstruct::Cut::Edge{e.from, e.to}),
                 !window.cut.zone.contains(window.part.carried.mesh.positions[e.from]));
   }
 }
@@ -447,7 +465,7 @@ TEST(Windows, ArePutTogetherToTheWhole) {
   const auto middle = static_cast<VertexId>(divided.mesh.positions.size());
   divided.mesh.positions.push_back(
       (divided.mesh.positions[old[0]] + divided.mesh.positions[old[1]] + divided.mesh.positions[old[2]]) / 3);
-  divided.origin.push_back(kNone);
+  divided.origin.push_back(mesh::kNone);
   divided.mesh.triangles[t] = {old[0], old[1], middle};
   for (const Triangle& more : {Triangle{old[1], old[2], middle}, {old[2], old[0], middle}}) {
     divided.mesh.triangles.push_back(more);
@@ -493,7 +511,7 @@ TEST(Windows, LeaveNothingInsideOut) {
   std::fill_n(made.region.begin(), sheet.triangles.size(), Region::kOriginal);
   made.openable.assign(made.region.size(), 1);
 
-  dropMisplaced(made, sheet.positions.size(), 1);
+  reconstruct::dropMisplaced(made, sheet.positions.size(), 1);
   EXPECT_EQ(made.mesh.triangles.size(), ofSlab + 12);
   EXPECT_EQ(made.region.size(), ofSlab + 12);
   EXPECT_EQ(made.openable.size(), ofSlab + 12);
@@ -530,7 +548,7 @@ TEST(CellWidth, FollowsTheResolution) {
   Options o;
   o.thickness = 1;
   o.resolution = 60;
-  EXPECT_DOUBLE_EQ(cellWidth(OwnJob(flat(10, 6), o).job, 60), 12.0 / 60);
+  EXPECT_DOUBLE_EQ(reconstruct::cellWidth(OwnJob(flat(10, 6), o).job, 60), 12.0 / 60);
 }
 
 }  // namespace

@@ -144,10 +144,10 @@ TEST(RepairFillsHoles, KeepsThePatchInTheSolid) {
 
 TEST(RepairFillsHoles, KeepsFloatsFloats) {
   TriangleMesh given = bowl(0.8);
-  for (Vec3& p : given.positions) p = roundToFloat(p);
+  for (Vec3& p : given.positions) p = mesh::roundToFloat(p);
   const RepairResult result = repair(given, filling(10));
   EXPECT_TRUE(result.facts.surface.closed);
-  EXPECT_TRUE(std::all_of(result.mesh.positions.begin(), result.mesh.positions.end(), isFloat));
+  EXPECT_TRUE(std::all_of(result.mesh.positions.begin(), result.mesh.positions.end(), mesh::isFloat));
 }
 
 // Two sheets side by side with `gap` between them, of `columns` and `others` edges there.

@@ -14,6 +14,9 @@
 #include "thicken/thicken.h"
 
 namespace thicken {
+
+using job::distancesToRim;
+
 namespace {
 
 constexpr double kR = 2;
@@ -153,7 +156,7 @@ TEST(RimProfile, ComesOnTopOfAMapAndIsNotLowered) {
   for (const Vec3& p : sheet.positions) o.thicknessMap.push_back(1 + 0.05 * p.x());
   std::optional<ThicknessFacts> facts;
   std::optional<RimFacts> rim;
-  const Thickness r = thicknessOf(sheet, o, o.thicknessMap, facts, rim);
+  const job::Thickness r = job::thicknessOf(sheet, o, o.thicknessMap, facts, rim);
   for (VertexId v = 0; v < sheet.positions.size(); ++v) {
     const Vec3& p = sheet.positions[v];
     EXPECT_NEAR(r.at(v), asked(kR * (1 + 0.05 * p.x()), toRimOfPlane(p), {1, 2, 0.5}), 1e-12);

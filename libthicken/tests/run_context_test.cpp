@@ -148,7 +148,7 @@ TEST(RunContext, ProgressNeverGoesDownForAPollingThread) {
 
 TEST(ParallelFor, CountsItsBlocks) {
   const RunContext context;
-  parallelFor(1000, 2, context, 64, [](std::size_t) {});
+  parallel::parallelFor(1000, 2, context, 64, [](std::size_t) {});
   EXPECT_EQ(context.counted(), 16u);
 }
 

@@ -19,10 +19,14 @@
 #include "thicken/thicken.h"
 
 namespace thicken {
+
+using mesh::LinkedMesh;
+using mesh::roundToFloat;
+
 namespace {
 
 using namespace shapes;
-using namespace simplifying;
+using namespace simplify;
 
 std::size_t countOf(const Solid& solid, Region region) {
   return static_cast<std::size_t>(std::ranges::count(solid.region, region));
@@ -49,9 +53,9 @@ void expectKept(const Solid& solid, const TriangleMesh& s) {
     ASSERT_EQ(solid.mesh.triangles[t], s.triangles[t]);
     for (const VertexId v : s.triangles[t]) ASSERT_EQ(solid.mesh.positions[v], s.positions[v]);
   }
-  EXPECT_TRUE(audit(solid.mesh, s, Side::kNegative, RunContext(), 1).facts.passed());
+  EXPECT_TRUE(checking::audit(solid.mesh, s, Side::kNegative, RunContext(), 1).facts.passed());
   for (std::size_t v = s.positions.size(); v < solid.mesh.positions.size(); ++v)
-    EXPECT_TRUE(isFloat(solid.mesh.positions[v]));
+    EXPECT_TRUE(mesh::isFloat(solid.mesh.positions[v]));
 }
 
 TEST(Simplify, MakesFewTrianglesOfAPlane) {
@@ -145,7 +149,7 @@ TEST(Simplify, LeavesWhatIsNotClosed) {
   std::vector<Region> region(solid.triangles.size(), Region::kShell);
   std::fill_n(region.begin(), s.triangles.size(), Region::kOriginal);
   const OwnJob own(s, 1);
-  const SimplifyFacts facts = simplify(own.job, solid, region, Simplify::kShell);
+  const SimplifyFacts facts = simplify::simplify(own.job, solid, region, Simplify::kShell);
   EXPECT_EQ(solid.triangles, before.triangles);
   EXPECT_EQ(facts.before, facts.after);
 }
@@ -165,7 +169,7 @@ TEST(Simplify, TurnsNoSmallCavityInsideOut) {
   std::vector<Region> region(solid.triangles.size(), Region::kShell);
   std::fill_n(region.begin(), s.triangles.size(), Region::kOriginal);
   const OwnJob own(s, 1);
-  (void)simplify(own.job, solid, region, Simplify::kShell);
+  (void)simplify::simplify(own.job, solid, region, Simplify::kShell);
   double volume = 0;
   for (const auto& [a, b, c] : solid.triangles) {
     const Vec3 from(5, 5, -0.5);
@@ -200,7 +204,7 @@ TEST(Simplify, TurnsTheLongestEdgesOfCaps) {
   std::fill_n(region.end() - 2, 2, Region::kShell);
   const OwnJob own(s, 1);
   const TriangleMesh before = solid;
-  const SimplifyFacts facts = simplify(own.job, solid, region, Simplify::kAuto);
+  const SimplifyFacts facts = simplify::simplify(own.job, solid, region, Simplify::kAuto);
   EXPECT_EQ(solid.positions, before.positions);
   EXPECT_EQ(solid.triangles.size(), before.triangles.size());
   EXPECT_GT(aspectOf(s.positions[0], s.positions[1], s.positions[2]), 500);
@@ -225,7 +229,7 @@ TEST(Simplify, TurnsNoRimEdgeBetweenTwoWalls) {
   Options both = options(1, Simplify::kAuto);
   both.side = Side::kBoth;
   const OwnJob own(s, both);
-  (void)simplify(own.job, solid, region, Simplify::kAuto);
+  (void)simplify::simplify(own.job, solid, region, Simplify::kAuto);
   EXPECT_TRUE(std::ranges::any_of(solid.triangles, [](const Triangle& t) {
     return std::ranges::count(t, VertexId{0}) + std::ranges::count(t, VertexId{1}) == 2;
   }));
@@ -237,7 +241,7 @@ TEST(Simplify, CountsTheEdgesThatItTries) {
   Solid solid = thicken(s, options(1, Simplify::kOff));
   const std::size_t blocks = solid.mesh.triangles.size() / 256;
   const OwnJob own(s, 1);
-  (void)simplify(own.job, solid.mesh, solid.region, Simplify::kShell);
+  (void)simplify::simplify(own.job, solid.mesh, solid.region, Simplify::kShell);
   EXPECT_GT(own.context.counted(), 3 * blocks) << "two are the search for targets";
 }
 
@@ -247,7 +251,7 @@ TEST(Simplify, CanBeCancelled) {
   std::vector<Region> region(solid.triangles.size(), Region::kShell);
   OwnJob own(s, 1);
   own.context.cancel();
-  EXPECT_THROW((void)simplify(own.job, solid, region, Simplify::kShell), Error);
+  EXPECT_THROW((void)simplify::simplify(own.job, solid, region, Simplify::kShell), Error);
 }
 
 TEST(LinkedMesh, CollapsesAnEdgeAndStaysClosed) {

@@ -13,6 +13,9 @@
 #include "mesh/half_edges.h"
 
 namespace thicken {
+
+using bvh::AreaSplit;
+
 namespace {
 
 // Small triangles, each with corners of its own; `levels`: different coordinates that their places have.
@@ -106,7 +109,7 @@ TEST(SplitOrder, UsesOfEdgesAreFoundInSmallAndLargeFans) {
     std::vector<Triangle> fan;
     for (VertexId i = 1; i < spokes; ++i) fan.push_back({0, i, i + 1});
     fan.push_back({0, 2, 1});  // a second one that leaves towards 2
-    const HalfEdges edges(spokes + 1, fan);
+    const mesh::HalfEdges edges(spokes + 1, fan);
     EXPECT_EQ(edges.uses(0, 1).size(), 1u);
     EXPECT_EQ(edges.uses(0, 2).size(), 2u);
     EXPECT_EQ(edges.uses(0, spokes).size(), 0u);

@@ -16,6 +16,11 @@
 #include "plain_shapes.h"
 
 namespace thicken {
+
+using measure::areaOf;
+using mesh::isFloat;
+using mesh::roundToFloat;
+
 namespace {
 
 using namespace shapes;  // NOLINT: the surfaces of the tests
@@ -42,7 +47,7 @@ std::multiset<Corners> cornersOf(const TriangleMesh& mesh) {
 
 void expectPromise(const Solid& solid, const TriangleMesh& surface, Side side = Side::kNegative) {
   EXPECT_TRUE(solid.report.audit.passed());
-  const AuditResult again = audit(solid.mesh, surface, side, RunContext(), 1);
+  const checking::AuditResult again = checking::audit(solid.mesh, surface, side, RunContext(), 1);
   EXPECT_TRUE(again.facts.passed());
   ASSERT_EQ(solid.region.size(), solid.mesh.triangles.size());
   ASSERT_EQ(solid.depth.size(), weld(surface).positions.size());

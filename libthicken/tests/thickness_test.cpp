@@ -16,6 +16,11 @@
 #include "thicken/thicken.h"
 
 namespace thicken {
+
+using job::kSteepest;
+using job::Thickness;
+using measure::boundShellError;
+
 namespace {
 
 constexpr double kR = 1;
@@ -91,7 +96,7 @@ TEST(Thickness, IsNowhereSteeperThanItMayBe) {
   for (const Vec3& p : sheet.positions) factors.push_back(p.x() < 10 ? 1 : 20);
   std::optional<ThicknessFacts> facts;
   std::optional<RimFacts> rim;
-  const Thickness thickness = thicknessOf(sheet, options, factors, facts, rim);
+  const Thickness thickness = job::thicknessOf(sheet, options, factors, facts, rim);
   ASSERT_TRUE(facts);
   EXPECT_FALSE(rim);
   EXPECT_GT(facts->steepest, 15);
@@ -117,7 +122,7 @@ TEST(ThicknessMap, IsLinearWhereAVertexIsNew) {
   divided.positions.emplace_back(1.25, 0.5, 0);
   divided.positions.emplace_back(1.25, 0.5, 0.1);
   divided.positions.emplace_back(2, -1, 0);  // beyond the rim
-  const std::vector<double> there = valuesAt(sheet, values, divided, "the map");
+  const std::vector<double> there = mesh::valuesAt(sheet, values, divided, "the map");
   const std::size_t known = sheet.positions.size();
   EXPECT_TRUE(std::equal(values.begin(), values.end(), there.begin()));
   EXPECT_NEAR(there[known], 5, 1e-12);

@@ -6,6 +6,12 @@
 #include <algorithm>
 
 namespace thicken {
+
+using mesh::componentsOf;
+using mesh::kNone;
+using mesh::neighbours;
+using mesh::rimOf;
+
 namespace {
 
 // A grid of (columns + 1) × (rows + 1) vertices; triangles 2·cell and 2·cell + 1, cells row by row.
@@ -23,7 +29,7 @@ std::vector<Triangle> grid(VertexId columns, VertexId rows) {
 
 TEST(Topology, ListsTheTrianglesAroundAVertex) {
   const std::vector<Triangle> triangles = grid(2, 1);  // 0 1 2 / 3 4 5
-  const VertexTriangles around = vertexTriangles(7, triangles);
+  const mesh::VertexTriangles around = mesh::vertexTriangles(7, triangles);
   const auto of = [&around](VertexId v) {
     const auto span = around.of(v);
     return std::vector<TriangleId>(span.begin(), span.end());
@@ -44,7 +50,7 @@ TEST(Topology, FindsTheNeighbourAcrossEachEdge) {
 TEST(Topology, FollowsEachRimFromItsSmallestVertex) {
   std::vector<Triangle> triangles = grid(3, 3);
   triangles.erase(triangles.begin() + 8, triangles.begin() + 10);  // the middle cell: 5 6 / 9 10
-  const Rim rim = rimOf(16, triangles);
+  const mesh::Rim rim = rimOf(16, triangles);
   ASSERT_EQ(rim.loops(), 2u);
   const auto vertices = [&rim](std::size_t loop) {
     std::vector<VertexId> v;
@@ -54,7 +60,7 @@ TEST(Topology, FollowsEachRimFromItsSmallestVertex) {
   };
   EXPECT_EQ(vertices(0), (std::vector<VertexId>{0, 1, 2, 3, 7, 11, 15, 14, 13, 12, 8, 4}));
   EXPECT_EQ(vertices(1), (std::vector<VertexId>{5, 9, 10, 6}));
-  for (const RimEdge& e : rim.edges) {
+  for (const mesh::RimEdge& e : rim.edges) {
     const Triangle& t = triangles[e.triangle];
     const auto from = std::find(t.begin(), t.end(), e.from);
     ASSERT_NE(from, t.end());
@@ -70,7 +76,8 @@ TEST(Topology, FindsNoRimOnAClosedSurface) {
 }
 
 TEST(Topology, NumbersComponentsByTheirFirstTriangle) {
-  const Components two = componentsOf(9, std::vector<Triangle>{{6, 7, 8}, {0, 1, 2}, {8, 3, 4}, {2, 1, 5}});
+  const mesh::Components two =
+      componentsOf(9, std::vector<Triangle>{{6, 7, 8}, {0, 1, 2}, {8, 3, 4}, {2, 1, 5}});
   EXPECT_EQ(two.count, 2u);
   EXPECT_EQ(two.ofTriangle, (std::vector<std::uint32_t>{0, 1, 0, 1}));
   EXPECT_EQ(componentsOf(0, {}).count, 0u);

@@ -20,6 +20,9 @@
 #include "thicken/error.h"
 
 namespace thicken {
+
+using mesh::roundToFloat;
+
 namespace {
 
 using shapes::flatSheet;
@@ -70,11 +73,11 @@ TEST(Trim, CutsASquareOutOfASheetAndKeepsWhatLiesInside) {
   EXPECT_EQ(part.facts.loops[0].points, 4u);
   EXPECT_NEAR(part.facts.loops[0].length, 22, 1e-6);
   EXPECT_NEAR(part.facts.loops[0].farthest, 1, 1e-12);
-  for (const RimEdge& e : rimOf(part.mesh.positions.size(), part.mesh.triangles).edges) {
+  for (const mesh::RimEdge& e : mesh::rimOf(part.mesh.positions.size(), part.mesh.triangles).edges) {
     const Vec3 middle = part.mesh.positions[e.from] + part.mesh.positions[e.to] - Vec3(10, 10, 0);
     EXPECT_NEAR(std::max(std::abs(middle.x()), std::abs(middle.y())), 5.5, 1e-5) << "the rim is the path";
   }
-  for (const Vec3& p : part.mesh.positions) EXPECT_TRUE(isFloat(p));
+  for (const Vec3& p : part.mesh.positions) EXPECT_TRUE(mesh::isFloat(p));
 }
 
 TEST(Trim, DividesNothingWhereThePathLeadsAlongEdges) {

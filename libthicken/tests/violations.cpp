@@ -9,7 +9,7 @@ namespace {
 // In no test the sweep may stand for what a violated invariant kept from being made.
 class ViolationsEndRuns : public ::testing::Environment {
  public:
-  void SetUp() override { violationsEndRuns = true; }
+  void SetUp() override { pipeline::violationsEndRuns = true; }
 };
 [[maybe_unused]] const auto* const kRegistered = ::testing::AddGlobalTestEnvironment(new ViolationsEndRuns);
 

@@ -15,6 +15,10 @@
 #include "thicken/thicken.h"
 
 namespace thicken {
+
+using measure::addWarnings;
+using measure::percentText;
+
 namespace {
 
 bool warnsOf(const Report& report, const std::string& words) {
@@ -194,7 +198,7 @@ TEST(Deviation, IsMeasured) {
     const Vec3 corner(10, 10, 0);
     for (Vec3& p : solid.mesh.positions)
       if (p == corner) p += Vec3(0.25, 0, 0);
-    measure(solid, OwnJob(sheet, options).job, {}, Measure::kRepresentative);
+    measure::measure(solid, OwnJob(sheet, options).job, {}, measure::Measure::kRepresentative);
     EXPECT_DOUBLE_EQ(solid.report.surfaceDeviation, 0.25) << name(side);
   }
 }

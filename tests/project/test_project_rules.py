@@ -31,6 +31,19 @@ class Rules(unittest.TestCase):
         self.assertEqual(cycles(graph), [])
         self.assertEqual({folder for folder in graph if "." in graph[folder]}, {"program"})
 
+    def test_every_folder_of_the_library_has_its_namespace(self):
+        """Headers open that of their folder alone; a source opens `thicken`, too, to define what public headers declare."""
+        others = {"check": "checking", "repair": "repairing", "trim": "trimming", "src": "pipeline"}
+        wrong, seen = [], set()
+        for file in (f for f in sources("libthicken/src") if f.suffix in (".h", ".cpp")):
+            own = "thicken::" + others.get(file.parent.name, file.parent.name)
+            allowed = {own} if file.suffix == ".h" else {own, "thicken"}
+            opened = set(re.findall(r"^namespace (thicken[\w:]*) \{", file.read_text(), re.MULTILINE))
+            seen |= opened
+            wrong += [f"{file.relative_to(PROJECT)} opens {n}" for n in opened if n not in allowed and not n.startswith(own + "::")]
+        self.assertEqual(wrong, [])
+        self.assertGreater(len(seen), 15)
+
     def test_every_source_names_the_licence_first(self):
         files = sources(*FOLDERS) + [f for f in (PROJECT / "scripts").iterdir() if f.is_file()]
         self.assertGreater(len(files), 50)

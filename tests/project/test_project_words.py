@@ -8,8 +8,8 @@ from project_sources import PROJECT, sources
 
 GLOSSARY = PROJECT / "docs/glossary.md"
 
-# Whose own words are still to be replaced; and benchmarks, which use those of the programs that they run.
-STILL = ("libthicken/src/reconstruct/", "libthicken/src/sweep/", "libthicken/src/gap.cpp", "libthicken/bench/")
+# Benchmarks use the words of the programs that they run.
+STILL = ("libthicken/bench/",)
 
 # An adjective stands for itself: whatever it is said of.
 ALONE = {"crowded edge": "crowded", "pinched vertex": "pinched"}

@@ -7,7 +7,7 @@
 
 #include "parallel/parallel_for.h"
 
-namespace thicken {
+namespace thicken::bvh {
 
 namespace {
 
@@ -69,7 +69,7 @@ AreaSplit::AreaSplit(std::span<const Vec3> positions, std::span<const Triangle> 
       items_(
           new Item[triangles.size()]),  // uninitialised, so that its pages are first touched by all threads
       other_(new Item[triangles.size()]) {
-  parallelFor(triangles.size(), threads, RunContext(), 4096, [&](std::size_t t) {
+  parallel::parallelFor(triangles.size(), threads, RunContext(), 4096, [&](std::size_t t) {
     const auto& [a, b, c] = triangles[t];
     const Vec3 &p = positions[a], &q = positions[b], &r = positions[c];
     Item& item = items_[t];
@@ -124,11 +124,11 @@ std::pair<AreaSplit::Range, AreaSplit::Range> AreaSplit::split(const Range& r, i
     for (std::uint32_t i = r.begin; i < r.end; ++i) sortInto(bins, i);
   } else {
     std::vector<std::array<Bin, kBins>> parts((r.size() + kPart - 1) / kPart);
-    parallelForParts(r.size(), threads, RunContext(), kPart,
-                     [&](std::size_t part, std::size_t begin, std::size_t end) {
-                       for (std::size_t i = begin; i < end; ++i)
-                         sortInto(parts[part], r.begin + static_cast<std::uint32_t>(i));
-                     });
+    parallel::parallelForParts(r.size(), threads, RunContext(), kPart,
+                               [&](std::size_t part, std::size_t begin, std::size_t end) {
+                                 for (std::size_t i = begin; i < end; ++i)
+                                   sortInto(parts[part], r.begin + static_cast<std::uint32_t>(i));
+                               });
     for (const auto& part : parts)
       for (std::size_t b = 0; b < bins.size(); ++b) bins[b].add(part[b]);
   }
@@ -150,4 +150,4 @@ std::pair<AreaSplit::Range, AreaSplit::Range> AreaSplit::split(const Range& r, i
   return {{r.begin, middle, sides[0].box, sides[0].middles}, {middle, r.end, sides[1].box, sides[1].middles}};
 }
 
-}  // namespace thicken
+}  // namespace thicken::bvh

@@ -15,7 +15,7 @@
 
 #include "thicken/mesh.h"
 
-namespace thicken {
+namespace thicken::bvh {
 
 class AreaSplit {
  public:
@@ -72,4 +72,4 @@ class AreaSplit {
   std::unique_ptr<Item[]> items_, other_;  // `other_`: room for those that go to the right
 };
 
-}  // namespace thicken
+}  // namespace thicken::bvh

@@ -11,13 +11,17 @@
 
 namespace thicken {
 
+using bvh::DistanceTree;
+using bvh::PreparedTriangle;
+using mesh::kNone;
+
 struct ClosestPointTree::Impl {
   Impl(const TriangleMesh& s, int threads)
       : triangles(s.triangles),
         tree(s.positions, s.triangles, threads),
-        across(neighbours(s.positions.size(), s.triangles, threads)),
-        faceNormal(faceNormals(s.positions, s.triangles, threads)),
-        vertexNormal(vertexNormals(s.positions, s.triangles, faceNormal, threads)),
+        across(mesh::neighbours(s.positions.size(), s.triangles, threads)),
+        faceNormal(mesh::faceNormals(s.positions, s.triangles, threads)),
+        vertexNormal(mesh::vertexNormals(s.positions, s.triangles, faceNormal, threads)),
         rimVertex(s.positions.size(), 0) {
     for (std::size_t t = 0; t < triangles.size(); ++t)
       for (int k = 0; k < 3; ++k)
@@ -83,7 +87,7 @@ void ClosestPointTree::closest(std::span<const Query> queries, std::span<Closest
       points[i] = q.point;
       hits[i] = {{Vec3::Zero(), q.within * q.within, Feature::kFace, 0}, kNone};
       if (!q.hint) continue;
-      const TriangleClosest c = tree.measure(q.point, *q.hint);
+      const bvh::TriangleClosest c = tree.measure(q.point, *q.hint);
       if (c.squaredDistance <= hits[i].closest.squaredDistance) hits[i] = {c, *q.hint};
     }
     tree.nearest(std::span(points, count), std::span(hits, count));

@@ -9,7 +9,7 @@
 #include "bvh/distance_tree.h"
 #include "bvh/distance_tree_inline.h"
 
-namespace thicken {
+namespace thicken::bvh {
 
 // The subtrees that a ball reaches, side by side: so far down that there are no more than kMost.
 struct DistanceTree::Part {
@@ -133,4 +133,4 @@ void DistanceTree::search(const Part& part, const Vec3& p, Hit& hit) const {
   measureLeaves();
 }
 
-}  // namespace thicken
+}  // namespace thicken::bvh

@@ -6,7 +6,7 @@
 #include "bvh/distance_tree_inline.h"
 #include "bvh/triangle_gap.h"
 
-namespace thicken {
+namespace thicken::bvh {
 
 TriangleClosest DistanceTree::measure(const Vec3& p, TriangleId t) const {
   return closestOnTriangle(p, prepared_[placeOf_[t]], std::numeric_limits<double>::infinity());
@@ -123,4 +123,4 @@ void DistanceTree::near(const PreparedTriangle& t, double within,
   (void)nearest(t, seen, squared);
 }
 
-}  // namespace thicken
+}  // namespace thicken::bvh

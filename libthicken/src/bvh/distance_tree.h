@@ -14,7 +14,7 @@
 #include "bvh/triangle_distance.h"
 #include "thicken/mesh.h"
 
-namespace thicken {
+namespace thicken::bvh {
 
 class DistanceTree {
  public:
@@ -102,4 +102,4 @@ class DistanceTree {
   float slack_ = 0;  ///< rounding of a query and of what is stored in floats, mm
 };
 
-}  // namespace thicken
+}  // namespace thicken::bvh

@@ -10,7 +10,10 @@
 #include "mesh/bounds.h"
 #include "parallel/parallel_for.h"
 
-namespace thicken {
+namespace thicken::bvh {
+
+using mesh::Bounds;
+using parallel::parallelFor;
 
 namespace {
 
@@ -313,13 +316,13 @@ DistanceTree::DistanceTree(std::span<const Vec3> positions, std::span<const Tria
   if (triangles.empty()) return;
   constexpr std::size_t kPart = 16384;
   std::vector<Bounds> parts((triangles.size() + kPart - 1) / kPart);
-  parallelForParts(triangles.size(), threads, RunContext(), kPart,
-                   [&](std::size_t part, std::size_t begin, std::size_t end) {
-                     Bounds b;  // not the list's, beside which other threads write
-                     for (const Triangle& t : triangles.subspan(begin, end - begin))
-                       for (const VertexId v : t) b.add(positions[v]);
-                     parts[part] = b;
-                   });
+  parallel::parallelForParts(triangles.size(), threads, RunContext(), kPart,
+                             [&](std::size_t part, std::size_t begin, std::size_t end) {
+                               Bounds b;  // not the list's, beside which other threads write
+                               for (const Triangle& t : triangles.subspan(begin, end - begin))
+                                 for (const VertexId v : t) b.add(positions[v]);
+                               parts[part] = b;
+                             });
   Bounds whole;
   for (const Bounds& b : parts) whole.add(b);
   centre_ = (whole.low + whole.high) / 2;
@@ -333,4 +336,4 @@ DistanceTree::DistanceTree(std::span<const Vec3> positions, std::span<const Tria
   builder.buildAll(threads);
 }
 
-}  // namespace thicken
+}  // namespace thicken::bvh

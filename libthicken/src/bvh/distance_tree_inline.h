@@ -12,7 +12,7 @@
 #include "bvh/distance_tree.h"
 #include "platform/prefetch.h"
 
-namespace thicken {
+namespace thicken::bvh {
 
 // What is farther than this by its lower bound, squared, is farther than `squaredDistance`.
 //
@@ -77,7 +77,7 @@ inline int DistanceTree::put(const Node& n, const Four& squaredDistance, float r
 inline void DistanceTree::prefetch(std::int32_t child) const {
   const char* at = child < 0 ? reinterpret_cast<const char*>(&leaves_[static_cast<std::size_t>(-1 - child)])
                              : reinterpret_cast<const char*>(&nodes_[static_cast<std::size_t>(child)]);
-  for (int line = 0; line < 4; ++line) thicken::prefetch(at + 64 * line);
+  for (int line = 0; line < 4; ++line) platform::prefetch(at + 64 * line);
 }
 
 // Improves `hit` by the triangles of a leaf, and `reach` with it; returns whether any was nearer.
@@ -102,4 +102,4 @@ inline bool DistanceTree::measureLeaf(std::int32_t child, const Vec3& p, float x
   return found;
 }
 
-}  // namespace thicken
+}  // namespace thicken::bvh

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace thicken {
+namespace thicken::bvh {
 namespace {
 
 constexpr std::uint32_t kLeafSize = 4;
@@ -122,4 +122,4 @@ RayTree::Hit RayTree::first(const Vec3& origin, const Vec3& direction, const Tri
   return hit;
 }
 
-}  // namespace thicken
+}  // namespace thicken::bvh

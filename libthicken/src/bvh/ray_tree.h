@@ -11,7 +11,7 @@
 
 #include "thicken/mesh.h"
 
-namespace thicken {
+namespace thicken::bvh {
 
 class RayTree {
  public:
@@ -44,4 +44,4 @@ class RayTree {
   std::vector<Node> nodes_;
 };
 
-}  // namespace thicken
+}  // namespace thicken::bvh

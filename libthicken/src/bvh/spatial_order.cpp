@@ -3,13 +3,13 @@
 
 #include "mesh/buckets.h"
 
-namespace thicken {
+namespace thicken::bvh {
 
 SpatialOrder::SpatialOrder(std::span<const TriangleId> near, const ClosestPointTree& tree, int threads)
-    : items_(intoBuckets<std::uint32_t>(near.size(), tree.triangleCount(), threads,
-                                        [&](std::size_t i, const auto& put) {
-                                          put(tree.placeOf(near[i]), static_cast<std::uint32_t>(i));
-                                        })
+    : items_(mesh::intoBuckets<std::uint32_t>(near.size(), tree.triangleCount(), threads,
+                                              [&](std::size_t i, const auto& put) {
+                                                put(tree.placeOf(near[i]), static_cast<std::uint32_t>(i));
+                                              })
                  .values) {}
 
-}  // namespace thicken
+}  // namespace thicken::bvh

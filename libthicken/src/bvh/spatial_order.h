@@ -14,7 +14,7 @@
 #include "parallel/parallel_for.h"
 #include "thicken/closest_point.h"
 
-namespace thicken {
+namespace thicken::bvh {
 
 /// Items that are near some triangles of S, in the order of these in the tree.
 class SpatialOrder {
@@ -36,7 +36,7 @@ class SpatialOrder {
   void forGroups(int threads, const RunContext& context, Work work) const {
     constexpr std::size_t kGroups = 8;  // that a thread takes at a time
     const std::size_t groups = (items_.size() + kTogether - 1) / kTogether;
-    parallelFor(groups, threads, context, kGroups, [&](std::size_t g) {
+    parallel::parallelFor(groups, threads, context, kGroups, [&](std::size_t g) {
       const std::size_t begin = g * kTogether;
       work(std::span(items_).subspan(begin, std::min(kTogether, items_.size() - begin)));
     });
@@ -66,4 +66,4 @@ class SpatialOrder {
   std::vector<std::uint32_t> items_;
 };
 
-}  // namespace thicken
+}  // namespace thicken::bvh

@@ -19,7 +19,7 @@
 #include "thicken/closest_point.h"
 #include "thicken/mesh.h"
 
-namespace thicken {
+namespace thicken::bvh {
 
 struct TriangleClosest {
   Vec3 point;
@@ -100,4 +100,4 @@ inline TriangleClosest closestOnTriangle(const Vec3& p, const PreparedTriangle& 
   return best;
 }
 
-}  // namespace thicken
+}  // namespace thicken::bvh

@@ -7,7 +7,7 @@
 
 #include "bvh/triangle_distance.h"
 
-namespace thicken {
+namespace thicken::bvh {
 
 /// Squared distance of the segments from `a` along `u` and from `b` along `v`.
 inline double squaredGap(const Vec3& a, const Vec3& u, const Vec3& b, const Vec3& v) {
@@ -37,4 +37,4 @@ inline double squaredGap(const PreparedTriangle& s, const PreparedTriangle& t, d
   return least;
 }
 
-}  // namespace thicken
+}  // namespace thicken::bvh

@@ -18,7 +18,10 @@
 #include "parallel/parallel_for.h"
 #include "thicken/check.h"
 
-namespace thicken {
+namespace thicken::checking {
+
+using mesh::HalfEdges;
+
 namespace {
 
 std::string text(const Vec3& p) {
@@ -172,11 +175,11 @@ class Auditor {
   // its rim, that the solid does not have.
   [[nodiscard]] std::vector<TriangleId> missingTriangles(const HalfEdges& edges) const {
     std::vector<std::uint8_t> found(subject_.surface.size());
-    parallelFor(found.size(), threads_, context_, 4096, [&](std::size_t i) {
+    parallel::parallelFor(found.size(), threads_, context_, 4096, [&](std::size_t i) {
       Triangle t = subject_.surface[i];
       if (side_ == Side::kPositive) std::swap(t[1], t[2]);
       const auto uses = edges.uses(t[0], t[1]);
-      found[i] = std::any_of(uses.begin(), uses.end(), [&](const HalfEdge& e) {
+      found[i] = std::any_of(uses.begin(), uses.end(), [&](const mesh::HalfEdge& e) {
         return mesh_.triangles[e.triangle()][(e.corner() + 2) % 3] == t[2];
       });
     });
@@ -187,7 +190,7 @@ class Auditor {
   }
   [[nodiscard]] std::vector<TriangleId> missingRim(const HalfEdges& edges) const {
     std::vector<TriangleId> missing;
-    for (const RimEdge& e : rimOf(mesh_.positions.size(), subject_.surface).edges)
+    for (const mesh::RimEdge& e : mesh::rimOf(mesh_.positions.size(), subject_.surface).edges)
       if (edges.uses(e.from, e.to).empty() && edges.uses(e.to, e.from).empty()) missing.push_back(e.triangle);
     std::sort(missing.begin(), missing.end());
     return missing;
@@ -238,7 +241,7 @@ class Auditor {
                            facts.nonDegenerate && facts.intersectionFree;
     std::vector<VertexId> wrong;
     if (decidable) {
-      const Components shells = componentsOf(mesh_.positions.size(), mesh_.triangles, threads_);
+      const mesh::Components shells = mesh::componentsOf(mesh_.positions.size(), mesh_.triangles, threads_);
       const std::vector<VertexId> lowest = lowestVertices(mesh_, shells);
       const exact::BoxTree tree(mesh_.positions, mesh_.triangles, threads_,
                                 trianglesBelow(mesh_, lowest, threads_));
@@ -277,4 +280,4 @@ AuditResult audit(const TriangleMesh& solid, const TriangleMesh& surface, Side s
   return Auditor(solid, surface, side, context, threads, order, most).run();
 }
 
-}  // namespace thicken
+}  // namespace thicken::checking

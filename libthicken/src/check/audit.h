@@ -13,7 +13,7 @@
 #include "thicken/result.h"
 #include "thicken/run_context.h"
 
-namespace thicken {
+namespace thicken::checking {
 
 struct AuditResult {
   AuditFacts facts;
@@ -32,4 +32,4 @@ struct AuditResult {
                                 std::span<const TriangleId> order = {},
                                 std::size_t most = exact::PairSearch::kAll);
 
-}  // namespace thicken
+}  // namespace thicken::checking

@@ -14,6 +14,14 @@
 #include "mesh/place_text.h"
 
 namespace thicken {
+
+using checking::BadJoints;
+using checking::BadTriangles;
+using checking::Edge;
+using checking::Meetings;
+using mesh::HalfEdges;
+using mesh::text;
+
 namespace {
 
 // What the check itself holds at its peak: half-edges and sets of corners, or the tree.
@@ -55,7 +63,7 @@ Defect notFinite(const TriangleMesh& mesh, const std::vector<VertexId>& vertices
   std::vector<VertexId> unfit, tiny;
   for (const VertexId v : vertices) {
     append(d.vertices, v);
-    (isFinite(mesh.positions[v]) ? tiny : unfit).push_back(v);
+    (checking::isFinite(mesh.positions[v]) ? tiny : unfit).push_back(v);
   }
   if (!unfit.empty())
     d.sentence = fmt::format(
@@ -78,7 +86,7 @@ std::string trianglesAt(const HalfEdges& edges, const Edge& e) {
   std::string ids;
   std::size_t count = 0;
   for (const auto& uses : {edges.uses(e[0], e[1]), edges.uses(e[1], e[0])})
-    for (const HalfEdge& h : uses)
+    for (const mesh::HalfEdge& h : uses)
       if (++count <= kNamed) ids += fmt::format("{}{}", ids.empty() ? "" : ", ", h.triangle());
   return fmt::format("{} triangles ({}{})", count, ids, count > kNamed ? ", …" : "");
 }
@@ -111,7 +119,7 @@ Defect notManifold(const TriangleMesh& mesh, const HalfEdges& edges, const BadJo
 }
 
 Defect notOriented(const TriangleMesh& mesh, const HalfEdges& edges, const BadJoints& joints) {
-  const Orientability found = orientability(mesh, edges);
+  const checking::Orientability found = checking::orientability(mesh, edges);
   Defect d;
   d.code = ErrorCode::kNotOriented;
   d.count = joints.sameSense.size();
@@ -170,7 +178,7 @@ Defect selfIntersecting(const TriangleMesh& mesh, const Meetings& meetings) {
     append(d.triangles, b);
   }
   const auto& first = meetings.pairs[0];
-  d.place = placeOf(mesh, first);
+  d.place = checking::placeOf(mesh, first);
   d.sentence = fmt::format(
       "triangles {} and {} run through or touch each other near {}{}; "
       "move the sheets apart there or delete the triangles that cross",
@@ -201,12 +209,12 @@ CheckResult check(const TriangleMesh& mesh, RunContext context, int threads) {
   CheckResult result;
   const std::vector<VertexId> unfit = verticesOutOfDomain(mesh);
   const bool finite = unfit.empty();
-  const BadTriangles bad = badTriangles(mesh, finite, context, threads);
+  const BadTriangles bad = checking::badTriangles(mesh, finite, context, threads);
   {
     const HalfEdges edges(mesh.positions.size(), mesh.triangles, bad.joined, threads);
     context.throwIfCancelled();
-    const BadJoints joints = badJoints(mesh, edges, context, threads);
-    result.facts = factsOf(mesh, joints, finite, threads);
+    const BadJoints joints = checking::badJoints(mesh, edges, context, threads);
+    result.facts = checking::factsOf(mesh, joints, finite, threads);
     if (mesh.triangles.empty()) result.defects.push_back(emptyDefect());
     if (!finite) result.defects.push_back(notFinite(mesh, unfit));
     if (!bad.withoutArea.empty() || !bad.duplicates.empty()) result.defects.push_back(degenerate(mesh, bad));
@@ -217,7 +225,7 @@ CheckResult check(const TriangleMesh& mesh, RunContext context, int threads) {
   if (finite && !mesh.triangles.empty()) {
     context.throwIfCancelled();
     const exact::PairSearch search(mesh, exact::PairSearch::kAll, threads, bad.proper);
-    const Meetings meetings = meetingsOf(search, context, threads);
+    const Meetings meetings = checking::meetingsOf(search, context, threads);
     if (meetings.count > 0) result.defects.push_back(selfIntersecting(mesh, meetings));
   }
   return result;

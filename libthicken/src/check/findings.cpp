@@ -9,7 +9,11 @@
 #include "mesh/union_find.h"
 #include "parallel/parallel_for.h"
 
-namespace thicken {
+namespace thicken::checking {
+
+using mesh::HalfEdge;
+using parallel::parallelFor;
+
 namespace {
 
 bool repeatsCorner(const Triangle& t) {
@@ -38,13 +42,13 @@ std::vector<std::pair<TriangleId, TriangleId>> duplicates(const TriangleMesh& me
     std::sort(c.begin(), c.end());
     return c;
   };
-  auto sorted = intoBuckets<Key>(mesh.triangles.size(), mesh.positions.size(), threads,
-                                 [&](std::size_t i, const auto& put) {
-                                   const auto t = static_cast<TriangleId>(i);
-                                   if (joined[t] == 0) return;
-                                   const Triangle c = sortedCorners(t);
-                                   put(c[0], Key{c[1], c[2], t});
-                                 });
+  auto sorted = mesh::intoBuckets<Key>(mesh.triangles.size(), mesh.positions.size(), threads,
+                                       [&](std::size_t i, const auto& put) {
+                                         const auto t = static_cast<TriangleId>(i);
+                                         if (joined[t] == 0) return;
+                                         const Triangle c = sortedCorners(t);
+                                         put(c[0], Key{c[1], c[2], t});
+                                       });
   constexpr std::size_t kBlock = 4096;
   std::vector<std::vector<std::pair<TriangleId, TriangleId>>> parts((mesh.positions.size() + kBlock - 1) /
                                                                     kBlock);
@@ -112,7 +116,7 @@ class FanCount {
   }
 
   const TriangleMesh& mesh_;
-  UnionFind corners_;
+  mesh::UnionFind corners_;
   std::vector<std::pair<VertexId, std::uint32_t>> ends_;  ///< other end of an edge, number of a corner
 };
 
@@ -136,7 +140,7 @@ BadTriangles badTriangles(const TriangleMesh& mesh, bool finite, const RunContex
   return bad;
 }
 
-BadJoints badJoints(const TriangleMesh& mesh, const HalfEdges& edges, const RunContext& context,
+BadJoints badJoints(const TriangleMesh& mesh, const mesh::HalfEdges& edges, const RunContext& context,
                     int threads) {
   constexpr std::size_t kBlock = 4096;
   const std::size_t count = mesh.positions.size(), blocks = (count + kBlock - 1) / kBlock;
@@ -170,4 +174,4 @@ BadJoints badJoints(const TriangleMesh& mesh, const HalfEdges& edges, const RunC
   return all;
 }
 
-}  // namespace thicken
+}  // namespace thicken::checking

@@ -12,7 +12,7 @@
 #include "thicken/mesh.h"
 #include "thicken/run_context.h"
 
-namespace thicken {
+namespace thicken::checking {
 
 using Edge = std::array<VertexId, 2>;
 
@@ -37,7 +37,7 @@ struct BadJoints {
   std::vector<Edge> sameSense;                ///< used twice in this direction
   std::vector<VertexId> nonManifoldVertices;  ///< more than one fan of triangles, which touch only there
 };
-[[nodiscard]] BadJoints badJoints(const TriangleMesh& mesh, const HalfEdges& edges, const RunContext& context,
-                                  int threads);
+[[nodiscard]] BadJoints badJoints(const TriangleMesh& mesh, const mesh::HalfEdges& edges,
+                                  const RunContext& context, int threads);
 
-}  // namespace thicken
+}  // namespace thicken::checking

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace thicken {
+namespace thicken::checking {
 
 Meetings meetingsOf(const exact::PairSearch& search, const RunContext& context, int threads) {
   constexpr std::size_t kCounted = 100000, kListed = Defect::kMaxListed / 2;
@@ -31,4 +31,4 @@ Vec3 placeOf(const TriangleMesh& mesh, const exact::TrianglePair& pair) {
   return 0.5 * low + 0.5 * high;
 }
 
-}  // namespace thicken
+}  // namespace thicken::checking

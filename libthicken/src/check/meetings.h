@@ -10,7 +10,7 @@
 #include "thicken/error.h"
 #include "thicken/mesh.h"
 
-namespace thicken {
+namespace thicken::checking {
 
 struct Meetings {
   std::vector<exact::TrianglePair>
@@ -25,4 +25,4 @@ struct Meetings {
 /// A point near the place where two triangles meet: the centre of the intersection of their boxes, mm.
 [[nodiscard]] Vec3 placeOf(const TriangleMesh& mesh, const exact::TrianglePair& pair);
 
-}  // namespace thicken
+}  // namespace thicken::checking

@@ -8,7 +8,10 @@
 #include "mesh/bounds.h"
 #include "mesh/half_edges.h"
 
-namespace thicken {
+namespace thicken::checking {
+
+using mesh::Bounds;
+using mesh::Components;
 
 namespace {
 
@@ -43,7 +46,7 @@ class Judge {
   const TriangleMesh& mesh_;
   std::span<const Region> region_;
   const Components& shells_;
-  HalfEdges edges_;
+  mesh::HalfEdges edges_;
   std::vector<VertexId> lowest_;
   exact::BoxTree tree_;
   std::vector<Bounds> bounds_;
@@ -63,4 +66,4 @@ std::vector<std::uint8_t> misplacedShells(const TriangleMesh& mesh, std::span<co
   return isMisplaced;
 }
 
-}  // namespace thicken
+}  // namespace thicken::checking

@@ -7,7 +7,12 @@
 #include "exact/predicates.h"
 #include "parallel/parallel_for.h"
 
-namespace thicken {
+namespace thicken::checking {
+
+using mesh::Components;
+using mesh::HalfEdge;
+using mesh::kNone;
+
 namespace {
 
 using exact::orientation;
@@ -68,7 +73,7 @@ std::vector<std::uint8_t> trianglesBelow(const TriangleMesh& mesh, std::span<con
   const auto lower = [](const Vec3& p, const Vec3& q) { return p[1] < q[1]; };
   std::sort(points.begin(), points.end(), lower);
   std::vector<std::uint8_t> below(mesh.triangles.size(), 0);
-  parallelFor(below.size(), threads, RunContext(), 4096, [&](std::size_t t) {
+  parallel::parallelFor(below.size(), threads, RunContext(), 4096, [&](std::size_t t) {
     const Triangle& c = mesh.triangles[t];
     const Vec3 &p = mesh.positions[c[0]], &q = mesh.positions[c[1]], &r = mesh.positions[c[2]];
     const Vec3 low = p.cwiseMin(q).cwiseMin(r), high = p.cwiseMax(q).cwiseMax(r);
@@ -79,7 +84,7 @@ std::vector<std::uint8_t> trianglesBelow(const TriangleMesh& mesh, std::span<con
   return below;
 }
 
-bool facesOutward(const TriangleMesh& mesh, const HalfEdges& edges, VertexId lowest) {
+bool facesOutward(const TriangleMesh& mesh, const mesh::HalfEdges& edges, VertexId lowest) {
   const Vec3& v = mesh.positions[lowest];
   VertexId first = kNone;
   for (const HalfEdge& e : edges.from(lowest))
@@ -120,4 +125,4 @@ bool insideOddNumber(const TriangleMesh& mesh, const exact::BoxTree& tree, const
   return shellsAround(mesh, tree, shells, v, ownShell).size() % 2 == 1;
 }
 
-}  // namespace thicken
+}  // namespace thicken::checking

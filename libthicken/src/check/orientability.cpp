@@ -4,7 +4,10 @@
 #include <numeric>
 #include <utility>
 
-namespace thicken {
+namespace thicken::checking {
+
+using mesh::HalfEdge;
+
 namespace {
 
 // Disjoint sets whose members also know whether they have to be turned over against their root.
@@ -50,7 +53,7 @@ class SenseSets {
 
 }  // namespace
 
-Orientability orientability(const TriangleMesh& mesh, const HalfEdges& edges) {
+Orientability orientability(const TriangleMesh& mesh, const mesh::HalfEdges& edges) {
   Orientability result;
   const std::size_t count = mesh.triangles.size();
   SenseSets senses(count);
@@ -80,4 +83,4 @@ Orientability orientability(const TriangleMesh& mesh, const HalfEdges& edges) {
   return result;
 }
 
-}  // namespace thicken
+}  // namespace thicken::checking

@@ -8,7 +8,7 @@
 #include "mesh/half_edges.h"
 #include "thicken/mesh.h"
 
-namespace thicken {
+namespace thicken::checking {
 
 struct Orientability {
   std::vector<std::array<VertexId, 2>>
@@ -17,6 +17,6 @@ struct Orientability {
 };
 
 /// Follows edges that are used exactly twice.
-[[nodiscard]] Orientability orientability(const TriangleMesh& mesh, const HalfEdges& edges);
+[[nodiscard]] Orientability orientability(const TriangleMesh& mesh, const mesh::HalfEdges& edges);
 
-}  // namespace thicken
+}  // namespace thicken::checking

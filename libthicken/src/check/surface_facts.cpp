@@ -8,12 +8,12 @@
 #include "mesh/topology.h"
 #include "mesh/union_find.h"
 
-namespace thicken {
+namespace thicken::checking {
 namespace {
 
 // Connected sets of rim edges: on a manifold surface these are its closed boundary loops.
 std::size_t loopsOf(std::size_t vertexCount, const std::vector<Edge>& rim) {
-  UnionFind vertices(vertexCount);
+  mesh::UnionFind vertices(vertexCount);
   std::vector<std::uint8_t> onRim(vertexCount, 0);
   for (const Edge& e : rim) {
     vertices.join(e[0], e[1]);
@@ -55,10 +55,10 @@ SurfaceFacts factsOf(const TriangleMesh& mesh, const BadJoints& joints, bool fin
   for (const std::uint8_t u : used) facts.vertices += u;
   if (mesh.triangles.empty()) return facts;
   facts.rims = loopsOf(mesh.positions.size(), joints.rim);
-  facts.components = componentsOf(mesh.positions.size(), mesh.triangles, threads).count;
+  facts.components = mesh::componentsOf(mesh.positions.size(), mesh.triangles, threads).count;
   facts.closed = joints.rim.empty() && joints.nonManifoldEdges.empty();
   if (finite) addSizes(mesh, facts);
   return facts;
 }
 
-}  // namespace thicken
+}  // namespace thicken::checking

@@ -7,7 +7,7 @@
 #include "thicken/mesh.h"
 #include "thicken/result.h"
 
-namespace thicken {
+namespace thicken::checking {
 
 /// Whether every coordinate of a vertex is a number that a float can hold.
 [[nodiscard]] bool isFinite(const Vec3& p);
@@ -19,4 +19,4 @@ namespace thicken {
 /// Adds area, diagonal and mean edge; `mesh` has triangles.
 void addSizes(const TriangleMesh& mesh, SurfaceFacts& facts);
 
-}  // namespace thicken
+}  // namespace thicken::checking

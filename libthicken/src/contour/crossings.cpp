@@ -6,7 +6,15 @@
 #include <cmath>
 #include <limits>
 
-namespace thicken {
+namespace thicken::contour {
+
+using field::KeyIndex;
+using field::Membership;
+using field::NodeField;
+using field::Probe;
+using field::Standing;
+using field::SurfaceCrossing;
+using field::UniformGrid;
 
 namespace {
 
@@ -187,4 +195,4 @@ Crossing placed(const EdgePart& part, const UniformGrid& grid, const NodeField& 
   return CrossingSolver(grid, field, membership).solve(part);
 }
 
-}  // namespace thicken
+}  // namespace thicken::contour

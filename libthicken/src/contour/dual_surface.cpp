@@ -10,7 +10,12 @@
 #include "mesh/topology.h"
 #include "mesh/union_find.h"
 
-namespace thicken {
+namespace thicken::contour {
+
+using mesh::kNone;
+using mesh::UnionFind;
+using parallel::parallelFor;
+using parallel::parallelForParts;
 
 namespace {
 
@@ -69,7 +74,7 @@ class Builder {
 
   void joinSectors() {
     union_ = UnionFind(loneLoop(lone_));
-    const bool shared = threadCount(threads_) > 1;
+    const bool shared = parallel::threadCount(threads_) > 1;
     together_ = matchFaces(crossings_, passages_, threads_, [&](std::span<const Arc> arcs) {
       for (const auto& [a, b] : arcs)
         for (const bool upper : {false, true})
@@ -181,12 +186,12 @@ class Builder {
   }
 
   void listCrossings() {
-    auto around = intoBuckets<std::uint32_t>(crossingCount_, out_.vertexCount, threads_,
-                                             [&](std::size_t i, const auto& put) {
-                                               const auto c = static_cast<std::uint32_t>(i);
-                                               for (std::uint32_t k = 0; k < 4; ++k)
-                                                 put(vertexOf_[sector(c, k)], c);
-                                             });
+    auto around = mesh::intoBuckets<std::uint32_t>(crossingCount_, out_.vertexCount, threads_,
+                                                   [&](std::size_t i, const auto& put) {
+                                                     const auto c = static_cast<std::uint32_t>(i);
+                                                     for (std::uint32_t k = 0; k < 4; ++k)
+                                                       put(vertexOf_[sector(c, k)], c);
+                                                   });
     out_.crossingOffset = std::move(around.offset);
     out_.crossingsOf = std::move(around.values);
   }
@@ -253,4 +258,4 @@ DualSurface dualSurface(const std::vector<Crossing>& crossings, const std::vecto
   return Builder(crossings, ways, positions, threads).build();
 }
 
-}  // namespace thicken
+}  // namespace thicken::contour

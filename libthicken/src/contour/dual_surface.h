@@ -12,7 +12,7 @@
 #include "contour/face_list.h"
 #include "contour/rim_walk.h"
 
-namespace thicken {
+namespace thicken::contour {
 
 struct DualSurface {
   std::size_t vertexCount = 0;  ///< of cells' components, then of doubled dual edges
@@ -39,4 +39,4 @@ struct DualSurface {
 [[nodiscard]] DualSurface dualSurface(const std::vector<Crossing>& crossings, const std::vector<RimWay>& ways,
                                       std::span<const Vec3> positions, int threads);
 
-}  // namespace thicken
+}  // namespace thicken::contour

@@ -10,7 +10,7 @@
 
 #include "thicken/mesh.h"
 
-namespace thicken {
+namespace thicken::contour {
 
 class FaceList {
  public:
@@ -42,4 +42,4 @@ class FaceList {
   std::vector<VertexId> corners_;
 };
 
-}  // namespace thicken
+}  // namespace thicken::contour

@@ -10,7 +10,10 @@
 #include "mesh/parallel_sort.h"
 #include "thicken/error.h"
 
-namespace thicken {
+namespace thicken::contour {
+
+using field::GridIndex;
+using field::UniformGrid;
 
 namespace {
 
@@ -173,7 +176,7 @@ std::vector<Item> itemsOf(const FaceRange& faces, const std::vector<Crossing>& c
                             [](const Item& i, std::uint64_t n) { return i.face >> 2 < n; });
   };
   append(beside(faces.low), beside(faces.high));
-  mergeRuns(items, std::move(bounds), before, 1);
+  mesh::mergeRuns(items, std::move(bounds), before, 1);
   return items;
 }
 
@@ -211,7 +214,7 @@ std::vector<Arc> matchFaces(const std::vector<Crossing>& crossings, const std::v
     return part == 0 ? 0 : part == parts ? ~std::uint64_t{0} >> 2 : crossings[part * kPart].edge >> 2;
   };
   std::vector<std::vector<Arc>> together(parts);
-  parallelFor(parts, threads, RunContext(), 1, [&](std::size_t part) {
+  parallel::parallelFor(parts, threads, RunContext(), 1, [&](std::size_t part) {
     const FaceRange faces{bound(part), bound(part + 1)};
     visit(arcsOf(itemsOf(faces, crossings, ofPassages), places, together[part]));
   });
@@ -220,4 +223,4 @@ std::vector<Arc> matchFaces(const std::vector<Crossing>& crossings, const std::v
   return all;
 }
 
-}  // namespace thicken
+}  // namespace thicken::contour

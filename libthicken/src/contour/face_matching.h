@@ -13,14 +13,14 @@
 #include "contour/crossings.h"
 #include "contour/rim_walk.h"
 
-namespace thicken {
+namespace thicken::contour {
 
 /// The four faces around a crossed edge, counter-clockwise about its axis, lie between the sectors k
 /// and k + 1 of the edge's cells. An end of an arc is 4·crossing + k, or 4·crossings + passage.
 using Arc = std::pair<std::uint32_t, std::uint32_t>;
 
 /// Sector k of an edge along `axis` is the cell at this offset from the edge's node.
-[[nodiscard]] GridIndex sectorOffset(int axis, int k);
+[[nodiscard]] field::GridIndex sectorOffset(int axis, int k);
 
 /// Takes the arcs of some faces, in the order of the faces' keys. Called on any thread.
 using VisitArcs = std::function<void(std::span<const Arc>)>;
@@ -31,4 +31,4 @@ using VisitArcs = std::function<void(std::span<const Arc>)>;
 std::vector<Arc> matchFaces(const std::vector<Crossing>& crossings, const std::vector<RimPassage>& passages,
                             int threads, const VisitArcs& visit);
 
-}  // namespace thicken
+}  // namespace thicken::contour

@@ -13,7 +13,16 @@
 #include "mesh/parallel_sort.h"
 #include "parallel/parallel_for.h"
 
-namespace thicken {
+namespace thicken::contour {
+
+using field::BlockBits;
+using field::CarrierCrossings;
+using field::GridIndex;
+using field::Membership;
+using field::NodeField;
+using field::UniformGrid;
+using mesh::parallelSort;
+using parallel::parallelFor;
 
 namespace {
 
@@ -211,7 +220,7 @@ class Follower {
       // An edge is as long as a cell is wide, so that nothing crosses it which is farther from its end.
       const bool reached = field_[e.low].carrierDistance <= kSure * grid_.width();
       crossEdge(grid_, field_, e.key, e.low, e.high,
-                reached ? carrier_.of(e.key) : std::vector<SurfaceCrossing>(), batch.parts[part]);
+                reached ? carrier_.of(e.key) : std::vector<field::SurfaceCrossing>(), batch.parts[part]);
     }
   }
 
@@ -294,4 +303,4 @@ std::vector<Crossing> followContour(const UniformGrid& grid, std::span<const Gri
   return Follower(grid, carrier, membership, field, placing, context, threads).run(rimCells, seeds);
 }
 
-}  // namespace thicken
+}  // namespace thicken::contour

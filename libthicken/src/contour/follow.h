@@ -11,7 +11,7 @@
 
 #include "contour/crossings.h"
 
-namespace thicken {
+namespace thicken::contour {
 
 /// Points near the contour, for components of it without a rim.
 struct Seeds {
@@ -27,11 +27,11 @@ using Placing = std::function<Crossing(const EdgePart&)>;
 /// cells that were passed already are ignored. Of the seeds in a quarter of a cell the first is taken. A
 /// field that may drop its nodes does so when it is full, and evaluates again what is asked for again. In the
 /// end it has none.
-[[nodiscard]] std::vector<Crossing> followContour(const UniformGrid& grid,
-                                                  std::span<const GridIndex> rimCells, const Seeds& seeds,
-                                                  const CarrierCrossings& carrier,
-                                                  const Membership& membership, NodeField& field,
-                                                  const Placing& placing, const RunContext& context,
-                                                  int threads);
+[[nodiscard]] std::vector<Crossing> followContour(const field::UniformGrid& grid,
+                                                  std::span<const field::GridIndex> rimCells,
+                                                  const Seeds& seeds, const field::CarrierCrossings& carrier,
+                                                  const field::Membership& membership,
+                                                  field::NodeField& field, const Placing& placing,
+                                                  const RunContext& context, int threads);
 
-}  // namespace thicken
+}  // namespace thicken::contour

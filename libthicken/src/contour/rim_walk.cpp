@@ -6,7 +6,11 @@
 
 #include "exact/predicates.h"
 
-namespace thicken {
+namespace thicken::contour {
+
+using field::GridIndex;
+using field::GridTouches;
+using field::UniformGrid;
 
 namespace {
 
@@ -129,7 +133,7 @@ class WayStack {
 
 }  // namespace
 
-std::vector<RimWay> rimWays(const UniformGrid& grid, std::span<const Vec3> positions, const Rim& rim) {
+std::vector<RimWay> rimWays(const UniformGrid& grid, std::span<const Vec3> positions, const mesh::Rim& rim) {
   std::vector<RimWay> ways;
   for (std::size_t loop = 0; loop < rim.loops(); ++loop) {
     const std::uint32_t begin = rim.loopStart[loop], end = rim.loopStart[loop + 1];
@@ -144,4 +148,4 @@ std::vector<RimWay> rimWays(const UniformGrid& grid, std::span<const Vec3> posit
   return ways;
 }
 
-}  // namespace thicken
+}  // namespace thicken::contour

@@ -10,7 +10,7 @@
 #include "field/uniform_grid.h"
 #include "mesh/topology.h"
 
-namespace thicken {
+namespace thicken::contour {
 
 /// Where a rim goes through a face of the grid.
 struct RimPassage {
@@ -21,7 +21,7 @@ struct RimPassage {
 
 /// A stay in one cell: the rim's vertices there, and the passage that ends it.
 struct RimVisit {
-  GridIndex cell{};
+  field::GridIndex cell{};
   std::vector<VertexId> vertices;
   RimPassage exit;
 };
@@ -32,7 +32,7 @@ struct RimVisit {
 using RimWay = std::vector<RimVisit>;
 
 /// The ways of all loops. Throws GridTouches where a comparison is a tie.
-[[nodiscard]] std::vector<RimWay> rimWays(const UniformGrid& grid, std::span<const Vec3> positions,
-                                          const Rim& rim);
+[[nodiscard]] std::vector<RimWay> rimWays(const field::UniformGrid& grid, std::span<const Vec3> positions,
+                                          const mesh::Rim& rim);
 
-}  // namespace thicken
+}  // namespace thicken::contour

@@ -17,6 +17,10 @@
 #include "thicken/error.h"
 
 namespace thicken {
+
+using checking::audit;
+using checking::AuditResult;
+
 namespace {
 
 using drain::CannotCut;
@@ -190,7 +194,7 @@ DrilledSolid drill(const TriangleMesh& solid, std::span<const DrainHole> candida
   if (!before.defects.empty())
     throw Error(ErrorCode::kNoSolid,
                 "There is no valid solid to drill: " + before.defects.front().sentence + ".", before.defects);
-  const auto across = neighbours(mesh.positions.size(), mesh.triangles);
+  const auto across = mesh::neighbours(mesh.positions.size(), mesh.triangles);
   std::string reason, firstReason;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (auto drilled = drillOne(mesh, across, candidates[i], context, threads, reason)) {
@@ -204,7 +208,7 @@ DrilledSolid drill(const TriangleMesh& solid, std::span<const DrainHole> candida
       ErrorCode::kNoSolid,
       fmt::format("A hole of {:.4g} mm cannot be drilled at {}{}: {}; choose another place, another "
                   "direction or a smaller diameter.",
-                  first.diameter, text(first.place),
+                  first.diameter, mesh::text(first.place),
                   candidates.size() > 1 ? fmt::format(" nor at {} other place{}", candidates.size() - 1,
                                                       candidates.size() == 2 ? "" : "s")
                                         : "",

@@ -10,6 +10,9 @@
 #include "mesh/float_lattice.h"
 
 namespace thicken::drain {
+
+using mesh::directedKey;
+
 namespace {
 
 // Twice the signed area of a triangle in the first two coordinates.
@@ -104,7 +107,7 @@ void SheetCutter::gather(TriangleId start, SheetCut& result) {
     result.replaced.push_back(t);
     patch_.push_back(triangles_[t]);
     for (const TriangleId next : across_[t])
-      if (next != kNone && touchesOutline(triangles_[next]) && seen.insert(next).second)
+      if (next != mesh::kNone && touchesOutline(triangles_[next]) && seen.insert(next).second)
         waiting.push_back(next);
   }
   std::sort(result.replaced.begin(), result.replaced.end());
@@ -114,7 +117,7 @@ void SheetCutter::gather(TriangleId start, SheetCut& result) {
 
 VertexId SheetCutter::addVertex(const Vec3& local) {
   const auto id = static_cast<VertexId>(positions_.size());
-  positions_.push_back(roundToFloat(frame_.global({local[0], mirror_ * local[1], local[2]})));
+  positions_.push_back(mesh::roundToFloat(frame_.global({local[0], mirror_ * local[1], local[2]})));
   return id;
 }
 
@@ -231,7 +234,7 @@ std::vector<VertexId> SheetCutter::walk(VertexId from, VertexId to) {
 }
 
 void SheetCutter::removeInside(const std::vector<VertexId>& loop, SheetCut& result) {
-  EdgeSet border;
+  mesh::EdgeSet border;
   for (std::size_t i = 0; i < loop.size(); ++i)
     border.insert(directedKey(loop[i], loop[(i + 1) % loop.size()]));
   std::unordered_map<std::uint64_t, std::size_t> byEdge;

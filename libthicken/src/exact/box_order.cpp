@@ -8,6 +8,9 @@
 #include "parallel/parallel_for.h"
 
 namespace thicken::exact {
+
+using parallel::parallelFor;
+
 namespace {
 
 struct Centre {

@@ -13,6 +13,8 @@
 
 namespace thicken::exact {
 
+using parallel::parallelFor;
+
 struct BoxTree::Impl {
   std::vector<FloatBox> box;  // a node, in preorder
   std::vector<Leaf> leaves;
@@ -173,7 +175,7 @@ void BoxTree::refit(std::span<const Vec3> positions, std::span<const Triangle> t
     impl_->leaves[slot / kLeafSize].set(slot % kLeafSize, geometry.box(t));
     dirty.push_back(slot / kLeafSize);
   }
-  sortUnique(dirty);
+  mesh::sortUnique(dirty);
   if (!dirty.empty()) impl_->fitBelow(impl_->root(), dirty);
 }
 

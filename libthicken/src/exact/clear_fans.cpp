@@ -87,9 +87,9 @@ bool isClearFan(std::span<const Vec3> positions, VertexId centre, std::span<cons
 
 std::vector<std::uint8_t> clearFans(std::span<const Vec3> positions, std::span<const Triangle> triangles,
                                     std::span<const std::uint8_t> fixed, int threads) {
-  const VertexTriangles around = vertexTriangles(positions.size(), triangles, threads);
+  const mesh::VertexTriangles around = mesh::vertexTriangles(positions.size(), triangles, threads);
   std::vector<std::uint8_t> clear(positions.size(), 0);
-  parallelFor(positions.size(), threads, RunContext(), 1024, [&](std::size_t i) {
+  parallel::parallelFor(positions.size(), threads, RunContext(), 1024, [&](std::size_t i) {
     const auto v = static_cast<VertexId>(i);
     const std::span<const TriangleId> ids = around.of(v);
     if (ids.size() < 3 || ids.size() > Fan::kMost) return;

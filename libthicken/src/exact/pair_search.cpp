@@ -11,6 +11,9 @@
 #include "parallel/parallel_for.h"
 
 namespace thicken::exact {
+
+using parallel::parallelFor;
+
 namespace {
 
 using Ids = std::vector<TriangleId>;
@@ -69,7 +72,7 @@ class BlockSearch {
   }
 
   std::vector<TrianglePair> takeFound() {
-    sortUnique(found_);
+    mesh::sortUnique(found_);
     return std::move(found_);
   }
 

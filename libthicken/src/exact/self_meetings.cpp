@@ -10,6 +10,9 @@
 #include "parallel/parallel_for.h"
 
 namespace thicken::exact {
+
+using parallel::parallelFor;
+
 namespace {
 
 // Counts the pairs of all threads, for those that want only some.
@@ -241,7 +244,7 @@ std::vector<TrianglePair> sortedUnion(const std::vector<std::vector<TrianglePair
   std::vector<TrianglePair> all;
   all.reserve(total);
   for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
-  sortUnique(all);
+  mesh::sortUnique(all);
   return all;
 }
 

@@ -7,7 +7,7 @@
 
 #include "field/block_map.h"
 
-namespace thicken {
+namespace thicken::field {
 
 /// kCount bits each, all 0 at first.
 template <int kCount>
@@ -40,4 +40,4 @@ class BlockBits {
   Blocks blocks_;
 };
 
-}  // namespace thicken
+}  // namespace thicken::field

@@ -9,7 +9,7 @@
 
 #include "field/block_map.h"
 
-namespace thicken {
+namespace thicken::field {
 
 class BlockIndex {
  public:
@@ -53,4 +53,4 @@ class BlockIndex {
   std::vector<std::uint64_t> keys_;
 };
 
-}  // namespace thicken
+}  // namespace thicken::field

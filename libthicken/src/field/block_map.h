@@ -11,7 +11,7 @@
 #include "field/key_index.h"
 #include "field/uniform_grid.h"
 
-namespace thicken {
+namespace thicken::field {
 
 template <class Block>
 class BlockMap {
@@ -62,4 +62,4 @@ class BlockMap {
   std::uint32_t last_ = 0;
 };
 
-}  // namespace thicken
+}  // namespace thicken::field

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace thicken {
+namespace thicken::field {
 
 class KeyIndex {
  public:
@@ -63,4 +63,4 @@ class KeyIndex {
   std::vector<std::uint64_t> keys_;
 };
 
-}  // namespace thicken
+}  // namespace thicken::field

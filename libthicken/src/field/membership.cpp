@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-namespace thicken {
+namespace thicken::field {
 
 namespace {
 
@@ -50,7 +50,7 @@ TriangleMesh beyondSurface(const TriangleMesh& carrier, std::size_t from, std::s
 }  // namespace
 
 Membership::Membership(const TriangleMesh& carrier, const ClosestPointTree& surface,
-                       std::size_t surfaceTriangles, const Thickness& thickness,
+                       std::size_t surfaceTriangles, const job::Thickness& thickness,
                        std::span<const Region> region, std::span<const std::uint8_t> covered, int threads)
     : surface_(surface),
       covered_(covered),
@@ -111,4 +111,4 @@ Probe Membership::probe(const Vec3& p) const {
   return result;
 }
 
-}  // namespace thicken
+}  // namespace thicken::field

@@ -14,7 +14,7 @@
 #include "thicken/closest_point.h"
 #include "thicken/result.h"
 
-namespace thicken {
+namespace thicken::field {
 
 /// Why a point is in the solid or not.
 enum class Standing : std::uint8_t {
@@ -44,11 +44,11 @@ class Membership {
   /// pieces of shell (empty: none). `covered`, per triangle of the surface: 1 if such a piece ends its
   /// material, at any depth (empty: none). `surface`, `thickness` and `covered` must outlive this.
   Membership(const TriangleMesh& carrier, const ClosestPointTree& surface, std::size_t surfaceTriangles,
-             const Thickness& thickness, std::span<const Region> region = {},
+             const job::Thickness& thickness, std::span<const Region> region = {},
              std::span<const std::uint8_t> covered = {}, int threads = 1);
 
   [[nodiscard]] Probe probe(const Vec3& p) const;
-  [[nodiscard]] const Thickness& thickness() const { return thickness_; }
+  [[nodiscard]] const job::Thickness& thickness() const { return thickness_; }
   [[nodiscard]] const ClosestPointTree& surface() const { return surface_; }
 
  private:
@@ -61,7 +61,7 @@ class Membership {
   std::vector<Region> region_;  ///< of the others; empty: no shell
   std::span<const std::uint8_t> covered_;
   ClosestPointTree beyond_;
-  const Thickness& thickness_;
+  const job::Thickness& thickness_;
 };
 
-}  // namespace thicken
+}  // namespace thicken::field

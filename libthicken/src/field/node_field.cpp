@@ -5,7 +5,9 @@
 
 #include "parallel/parallel_for.h"
 
-namespace thicken {
+namespace thicken::field {
+
+using parallel::parallelFor;
 
 void NodeField::evaluate(const Wanted& node, const Membership& membership) {
   Sample& s = samples_[node.number];
@@ -35,4 +37,4 @@ void NodeField::forget(const ClosestPointTree& changed, std::span<const std::uin
   });
 }
 
-}  // namespace thicken
+}  // namespace thicken::field

@@ -16,7 +16,7 @@
 #include "field/uniform_grid.h"
 #include "thicken/run_context.h"
 
-namespace thicken {
+namespace thicken::field {
 
 class NodeField {
  public:
@@ -115,4 +115,4 @@ class NodeField {
   std::size_t cells_ = 0, dropped_ = 0;
 };
 
-}  // namespace thicken
+}  // namespace thicken::field

@@ -7,7 +7,7 @@
 
 #include "exact/predicates.h"
 
-namespace thicken {
+namespace thicken::field {
 
 namespace {
 
@@ -81,4 +81,4 @@ std::vector<SurfaceCrossing> CarrierCrossings::of(std::uint64_t edge) const {
   return crossings;
 }
 
-}  // namespace thicken
+}  // namespace thicken::field

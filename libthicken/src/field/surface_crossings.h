@@ -12,7 +12,7 @@
 #include "exact/box_tree.h"
 #include "field/uniform_grid.h"
 
-namespace thicken {
+namespace thicken::field {
 
 struct SurfaceCrossing {
   std::uint64_t edge;  ///< UniformGrid::key(node, axis)
@@ -54,4 +54,4 @@ class CarrierCrossings {
   const SurfaceCrossings &surface_, &beyond_;
 };
 
-}  // namespace thicken
+}  // namespace thicken::field

@@ -9,7 +9,7 @@
 
 #include "thicken/mesh.h"
 
-namespace thicken {
+namespace thicken::field {
 
 /// Index of a node, and of the cell whose lowest corner it is.
 using GridIndex = std::array<int, 3>;
@@ -59,4 +59,4 @@ class UniformGrid {
 /// caller shifts the grid and starts again.
 struct GridTouches {};
 
-}  // namespace thicken
+}  // namespace thicken::field

@@ -121,7 +121,7 @@ std::vector<double> readVertexProperty(const std::filesystem::path& path, const 
     throw Error(ErrorCode::kUnreadable, io::quoted(path) + ": only .ply files have properties of vertices.");
   const io::SourceFile file(path);
   const TriangleMesh mesh = io::readPly(file);
-  return valuesAt(mesh, io::readPlyProperty(file, name), weld(mesh), "\"" + name + "\"");
+  return mesh::valuesAt(mesh, io::readPlyProperty(file, name), weld(mesh), "\"" + name + "\"");
 }
 
 std::vector<std::filesystem::path> pathsOfMeshes(const std::filesystem::path& path, std::size_t count) {

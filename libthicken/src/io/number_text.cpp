@@ -37,7 +37,7 @@ std::optional<T> parsed(std::string_view text) {
   const std::string_view word = withoutPlus(text);
   const char* const end = word.data() + word.size();
   T value = 0;
-  const auto result = thicken::from_chars(word.data(), end, value);
+  const auto result = platform::from_chars(word.data(), end, value);
   if (result.ptr != end || word.empty()) return {};
   if (result.ec == std::errc()) return value;
   if (result.ec != std::errc::result_out_of_range) return {};

@@ -34,7 +34,7 @@ SourceFile::SourceFile(const std::filesystem::path& path) : path_(path) {
   const std::uintmax_t size = fs::file_size(path, problem);
   if (problem) fail("cannot be read: " + problem.message());
   if (size == 0) fail("is empty (0 bytes)");
-  const std::unique_ptr<std::FILE, CloseFile> file(openFile(path));
+  const std::unique_ptr<std::FILE, CloseFile> file(platform::openFile(path));
   if (!file) fail("cannot be opened: " + std::generic_category().message(errno));
   bytes_ = std::make_unique_for_overwrite<char[]>(size);
   size_ = std::fread(bytes_.get(), 1, size, file.get());

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 struct Slot {
   enum State : int { kFree, kFilling, kUsed };
   std::atomic<int> state{kFree};
-  std::array<PathChar, 4096> path{};
+  std::array<platform::PathChar, 4096> path{};
 };
 static_assert(std::atomic<int>::is_always_lock_free);
 std::array<Slot, 16> slots;
@@ -65,7 +65,7 @@ TargetFile::TargetFile(const fs::path& path) : path_(path), place_(linkedPlace(p
   if (fs::exists(place_, ignored)) {
     if (!fs::is_regular_file(place_, ignored)) fail("is not a regular file");
     // Renaming would replace even a file that is write-protected.
-    if (!mayWrite(place_)) fail("cannot be replaced: " + reasonOf(errno));
+    if (!platform::mayWrite(place_)) fail("cannot be replaced: " + reasonOf(errno));
   }
   openTemporary();
 }
@@ -73,9 +73,9 @@ TargetFile::TargetFile(const fs::path& path) : path_(path), place_(linkedPlace(p
 void TargetFile::openTemporary() {
   constexpr int kMostTries = 1000;
   for (int i = 0; i < kMostTries && !file_; ++i) {
-    temporary_ =
-        place_.parent_path() / (".thicken-" + std::to_string(processId()) + "-" + std::to_string(i) + ".tmp");
-    file_ = createFile(temporary_);
+    temporary_ = place_.parent_path() /
+                 (".thicken-" + std::to_string(platform::processId()) + "-" + std::to_string(i) + ".tmp");
+    file_ = platform::createFile(temporary_);
     if (!file_ && errno != EEXIST) break;
   }
   if (!file_) fail("cannot be written: " + reasonOf(errno));
@@ -89,7 +89,7 @@ TargetFile::~TargetFile() {
 void TargetFile::removeTemporary() noexcept {
   if (file_) std::fclose(file_);
   file_ = nullptr;
-  if (!temporary_.empty()) removeFile(temporary_.c_str());
+  if (!temporary_.empty()) platform::removeFile(temporary_.c_str());
   temporary_.clear();
   if (slot_ >= 0) slots[static_cast<std::size_t>(slot_)].state.store(Slot::kFree);
   slot_ = -1;
@@ -112,7 +112,7 @@ void TargetFile::commit() {
   std::FILE* const file = file_;
   file_ = nullptr;
   if (std::fclose(file) != 0) fail("cannot be written: " + reasonOf(errno));
-  if (!replaceFile(temporary_, place_)) fail("cannot be replaced: " + reasonOf(errno));
+  if (!platform::replaceFile(temporary_, place_)) fail("cannot be replaced: " + reasonOf(errno));
   temporary_.clear();
   removeTemporary();
 }
@@ -127,7 +127,7 @@ namespace thicken {
 
 void abandonWrites() noexcept {
   for (io::Slot& slot : io::slots) {
-    if (slot.state.load() == io::Slot::kUsed) removeFile(slot.path.data());
+    if (slot.state.load() == io::Slot::kUsed) platform::removeFile(slot.path.data());
   }
 }
 

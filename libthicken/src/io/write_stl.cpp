@@ -16,7 +16,7 @@ constexpr std::size_t kHeaderBytes = 80;
 
 void requireFloats(const TargetFile& file, const TriangleMesh& mesh) {
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-    if (!isFloat(mesh.positions[v])) {
+    if (!mesh::isFloat(mesh.positions[v])) {
       file.fail("vertex " + std::to_string(v) +
                 " has a coordinate that STL, which holds single precision, cannot store unchanged; thicken "
                 "in single "

@@ -10,7 +10,7 @@
 #include "thicken/options.h"
 #include "thicken/run_context.h"
 
-namespace thicken {
+namespace thicken::job {
 
 struct Job {
   const TriangleMesh& surface;   ///< S: valid, welded, its negative side where the material is to be
@@ -27,4 +27,4 @@ struct Job {
   return job.options.side == Side::kBoth ? Side::kBoth : Side::kNegative;
 }
 
-}  // namespace thicken
+}  // namespace thicken::job

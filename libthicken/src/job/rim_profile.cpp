@@ -11,7 +11,7 @@
 #include "mesh/topology.h"
 #include "thicken/error.h"
 
-namespace thicken {
+namespace thicken::job {
 
 namespace {
 
@@ -58,9 +58,10 @@ double profiled(double r, double distance, const Options& options) {
 
 std::vector<double> distancesToRim(const TriangleMesh& surface, double reach, int threads) {
   std::vector<double> distance(surface.positions.size(), std::numeric_limits<double>::infinity());
-  const Rim rim = rimOf(surface.positions.size(), surface.triangles, threads);
+  const mesh::Rim rim = mesh::rimOf(surface.positions.size(), surface.triangles, threads);
   if (rim.edges.empty()) return distance;
-  const VertexTriangles around = vertexTriangles(surface.positions.size(), surface.triangles, threads);
+  const mesh::VertexTriangles around =
+      mesh::vertexTriangles(surface.positions.size(), surface.triangles, threads);
   using Entry = std::tuple<double, VertexId, std::uint32_t>;  // distance of the vertex from the rim's edge
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
   for (std::uint32_t e = 0; e < rim.edges.size(); ++e)
@@ -76,7 +77,7 @@ std::vector<double> distancesToRim(const TriangleMesh& surface, double reach, in
     const Vec3 &a = surface.positions[rim.edges[e].from], &b = surface.positions[rim.edges[e].to];
     for (const TriangleId t : around.of(v))
       for (const VertexId other : surface.triangles[t])
-        if (const double there = toSegment(surface.positions[other], a, b); there < distance[other]) {
+        if (const double there = mesh::toSegment(surface.positions[other], a, b); there < distance[other]) {
           distance[other] = there;
           open.emplace(there, other, e);
         }
@@ -95,4 +96,4 @@ RimFacts addRimProfile(const TriangleMesh& surface, const Options& options, int 
   return facts;
 }
 
-}  // namespace thicken
+}  // namespace thicken::job

@@ -10,7 +10,7 @@
 #include "thicken/options.h"
 #include "thicken/result.h"
 
-namespace thicken {
+namespace thicken::job {
 
 /// Whether `options` ask for one.
 [[nodiscard]] bool hasRimProfile(const Options& options);
@@ -33,4 +33,4 @@ namespace thicken {
 RimFacts addRimProfile(const TriangleMesh& surface, const Options& options, int threads,
                        std::vector<double>& r);
 
-}  // namespace thicken
+}  // namespace thicken::job

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace thicken {
+namespace thicken::job {
 
 class Stopwatch {
  public:
@@ -25,4 +25,4 @@ class Stopwatch {
   std::vector<std::pair<std::string, double>> laps_;
 };
 
-}  // namespace thicken
+}  // namespace thicken::job

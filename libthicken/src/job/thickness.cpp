@@ -11,7 +11,7 @@
 #include "mesh/topology.h"
 #include "parallel/parallel_for.h"
 
-namespace thicken {
+namespace thicken::job {
 
 namespace {
 
@@ -38,7 +38,7 @@ std::size_t flatten(const TriangleMesh& surface, std::vector<double>& r) {
   for (TriangleId t = 0; t < surface.triangles.size(); ++t)
     if (steepnessOf(t) > kSteepest * kEnough) open.emplace(leastOf(t), t);
   if (open.empty()) return 0;
-  const VertexTriangles around = vertexTriangles(surface.positions.size(), surface.triangles);
+  const mesh::VertexTriangles around = mesh::vertexTriangles(surface.positions.size(), surface.triangles);
   std::vector<std::uint8_t> lowered(r.size(), 0);
   while (!open.empty()) {
     const auto [was, t] = open.top();
@@ -109,11 +109,12 @@ Thickness thicknessOf(const TriangleMesh& surface, const Options& options, std::
   for (const Triangle& t : surface.triangles)
     facts->steepest = std::max(facts->steepest, slopeOver(surface, t, r).norm());
   facts->lowered = flatten(surface, r);
-  if (hasRimProfile(options)) rim = addRimProfile(surface, options, threadCount(options.threads), r);
+  if (hasRimProfile(options))
+    rim = addRimProfile(surface, options, parallel::threadCount(options.threads), r);
   Thickness thickness(surface, std::move(r));
   facts->least = thickness.least();
   facts->most = thickness.most();
   return thickness;
 }
 
-}  // namespace thicken
+}  // namespace thicken::job

@@ -13,7 +13,7 @@
 #include "thicken/options.h"
 #include "thicken/result.h"
 
-namespace thicken {
+namespace thicken::job {
 
 class Thickness {
  public:
@@ -61,4 +61,4 @@ inline constexpr double kSteepest = 1;
                                     std::span<const double> factors, std::optional<ThicknessFacts>& facts,
                                     std::optional<RimFacts>& rim);
 
-}  // namespace thicken
+}  // namespace thicken::job

@@ -10,11 +10,12 @@
 #include "measure/proof_part.h"
 #include "parallel/parallel_for.h"
 
-namespace thicken {
+namespace thicken::measure {
+
+using job::Job;
+using parallel::parallelFor;
 
 namespace {
-
-using namespace proving;
 
 class ShellProof {
  public:
@@ -269,7 +270,7 @@ class ShellProof {
   }
 
   const ClosestPointTree& tree_;
-  const Thickness& thickness_;
+  const job::Thickness& thickness_;
   double tolerance_;
   double rounding_;  // mm: roundingOf()
   bool oneSided_;
@@ -384,4 +385,4 @@ std::vector<TriangleId> shellBeyond(const Job& job, const TriangleMesh& solid, s
   return beyond;
 }
 
-}  // namespace thicken
+}  // namespace thicken::measure

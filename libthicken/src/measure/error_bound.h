@@ -27,7 +27,7 @@
 #include "job/job.h"
 #include "thicken/result.h"
 
-namespace thicken {
+namespace thicken::measure {
 
 struct ErrorBound {
   double most = 0;            ///< mm; no point of the shell that counts is farther off
@@ -35,14 +35,14 @@ struct ErrorBound {
 };
 
 /// The triangles of the shell for which boundShellError() finds more than `tolerance`, ascending.
-[[nodiscard]] std::vector<TriangleId> shellBeyond(const Job& job, const TriangleMesh& solid,
+[[nodiscard]] std::vector<TriangleId> shellBeyond(const job::Job& job, const TriangleMesh& solid,
                                                   std::span<const Region> region, double tolerance);
 
 /// The bound for the shell of a valid solid. `most` is above `tolerance` (mm) only where that could not be
 /// proved; then it is how far off the worst of the places is where the proof failed. Else it is above the
 /// largest error there is by an eighth of the tolerance at most, or the tolerance itself where the solid ends
 /// halfway to another sheet, or where the thickness varies.
-[[nodiscard]] ErrorBound boundShellError(const Job& job, const TriangleMesh& solid,
+[[nodiscard]] ErrorBound boundShellError(const job::Job& job, const TriangleMesh& solid,
                                          std::span<const Region> region, double tolerance);
 
-}  // namespace thicken
+}  // namespace thicken::measure

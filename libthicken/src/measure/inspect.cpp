@@ -14,6 +14,10 @@
 #include "thicken/check.h"
 
 namespace thicken {
+
+using bvh::RayTree;
+using mesh::Components;
+
 namespace {
 
 // The volume that each shell encloses, of negative sign for one that faces inwards.
@@ -35,14 +39,14 @@ std::vector<double> volumesOf(const TriangleMesh& mesh, const Components& shells
 
 std::vector<SolidShell> shellsOf(const TriangleMesh& mesh, const Components& parts, int threads) {
   const std::vector<double> volume = volumesOf(mesh, parts);
-  const std::vector<VertexId> lowest = lowestVertices(mesh, parts);
+  const std::vector<VertexId> lowest = checking::lowestVertices(mesh, parts);
   const exact::BoxTree tree(mesh.positions, mesh.triangles, threads);
   std::vector<SolidShell> shells(parts.count);
   for (const std::uint32_t s : parts.ofTriangle) ++shells[s].triangles;
   for (std::uint32_t s = 0; s < parts.count; ++s) {
     SolidShell& shell = shells[s];
     shell.volume = std::abs(volume[s]);
-    const std::vector<std::uint32_t> around = shellsAround(mesh, tree, parts, lowest[s], s);
+    const std::vector<std::uint32_t> around = checking::shellsAround(mesh, tree, parts, lowest[s], s);
     shell.cavity = around.size() % 2 == 1;
     for (const std::uint32_t other : around)
       if (shell.within == SolidShell::kNoShell || std::abs(volume[other]) < std::abs(volume[shell.within]))
@@ -56,15 +60,15 @@ std::vector<SolidShell> shellsOf(const TriangleMesh& mesh, const Components& par
 Inspection inspect(const TriangleMesh& solid, RunContext context, int threads) {
   const TriangleMesh mesh = weld(solid);
   Inspection result;
-  AuditResult audited = audit(mesh, {}, Side::kNegative, context, threads);
+  checking::AuditResult audited = checking::audit(mesh, {}, Side::kNegative, context, threads);
   result.audit = audited.facts;
   result.audit.surfaceKept = true;
   result.defects = std::move(audited.defects);
-  const Components parts = componentsOf(mesh.positions.size(), mesh.triangles);
+  const Components parts = mesh::componentsOf(mesh.positions.size(), mesh.triangles);
   result.shellOfTriangle = parts.ofTriangle;
   if (!result.audit.passed()) return result;
-  result.volume = volumeOf(mesh);
-  result.area = areaOf(mesh);
+  result.volume = measure::volumeOf(mesh);
+  result.area = measure::areaOf(mesh);
   result.shells = shellsOf(mesh, parts, threads);
   return result;
 }
@@ -89,7 +93,7 @@ std::vector<double> wallThickness(const TriangleMesh& solid, RunContext context,
   const TriangleMesh mesh = weld(solid);
   const RayTree tree(mesh.positions, mesh.triangles);
   std::vector<double> thickness(mesh.triangles.size(), std::numeric_limits<double>::infinity());
-  parallelFor(thickness.size(), threads, context, 256, [&](std::size_t t) {
+  parallel::parallelFor(thickness.size(), threads, context, 256, [&](std::size_t t) {
     const Triangle& corners = mesh.triangles[t];
     const Vec3& p = mesh.positions[corners[0]];
     const Vec3 u = mesh.positions[corners[1]] - p, v = mesh.positions[corners[2]] - p, normal = u.cross(v);

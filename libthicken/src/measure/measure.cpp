@@ -18,7 +18,12 @@
 #include "mesh/topology.h"
 #include "parallel/parallel_for.h"
 
-namespace thicken {
+namespace thicken::measure {
+
+using bvh::RayTree;
+using job::Job;
+using mesh::faceNormals;
+using parallel::parallelFor;
 
 namespace {
 
@@ -31,7 +36,7 @@ struct Sample {
 
 ErrorFacts summary(std::vector<Sample> samples, int threads) {
   std::erase_if(samples, [](const Sample& s) { return s.error < 0; });
-  parallelSort(
+  mesh::parallelSort(
       samples,
       [](const Sample& a, const Sample& b) {
         return a.error != b.error ? a.error < b.error : a.weight < b.weight;
@@ -81,7 +86,7 @@ void measureShell(Solid& solid, const Job& job, const ShellDistances& known, Mea
   const TriangleMesh& surface = job.surface;
   const int threads = job.threads;
   const auto normal = faceNormals(surface.positions, surface.triangles, threads);
-  const auto around = vertexTriangles(surface.positions.size(), surface.triangles, threads);
+  const auto around = mesh::vertexTriangles(surface.positions.size(), surface.triangles, threads);
   const OffsetError error(job, normal, around, solid.report.join);
   std::vector<TriangleId> shell;
   for (TriangleId t = 0; t < solid.region.size(); ++t)
@@ -100,7 +105,7 @@ void measureShell(Solid& solid, const Job& job, const ShellDistances& known, Mea
     const double area = areaOf(solid.mesh.positions, t);
     for (std::size_t k = 0; k < each; ++k) samples[each * i + k].weight = area / double(each);
   });
-  SpatialOrder(near, job.tree, threads)
+  bvh::SpatialOrder(near, job.tree, threads)
       .query<kMostShellSamples>(
           job.tree, each, threads, job.context,
           [&](std::uint32_t i, std::size_t k, ClosestPointTree::Query& query) {
@@ -232,7 +237,7 @@ double thinShare(const Job& job, std::vector<double> depth) {
 }
 
 // Bodies, and those of them that are too small to be meant. A shell around a cavity has a negative volume.
-void countParts(Solid& solid, const Components& shells, double r) {
+void countParts(Solid& solid, const mesh::Components& shells, double r) {
   constexpr double kSmall = 1e-3;  // of the largest
   const TriangleMesh& mesh = solid.mesh;
   std::vector<double> volume(shells.count, 0);
@@ -283,7 +288,8 @@ double surfaceDeviation(const Solid& solid, const TriangleMesh& surface) {
       moved.push_back(v);
   };
   if (solid.report.side == Side::kBoth) {
-    for (const RimEdge& e : rimOf(surface.positions.size(), surface.triangles).edges) look(e.from);
+    for (const mesh::RimEdge& e : mesh::rimOf(surface.positions.size(), surface.triangles).edges)
+      look(e.from);
   } else {
     for (VertexId v = 0; v < surface.positions.size(); ++v) look(v);
   }
@@ -324,7 +330,7 @@ void measure(Solid& solid, const Job& job, ShellDistances known, Measure what) {
     ++(region == Region::kOriginal ? report.originalTriangles
        : region == Region::kShell  ? report.shellTriangles
                                    : report.wallTriangles);
-  countParts(solid, componentsOf(solid.mesh.positions.size(), solid.mesh.triangles, job.threads),
+  countParts(solid, mesh::componentsOf(solid.mesh.positions.size(), solid.mesh.triangles, job.threads),
              job.thickness.least());
   // Sums in the order of the triangles, so that they do not depend on the threads.
   parallelFor(2, job.threads, job.context, 1, [&](std::size_t i) {
@@ -341,4 +347,4 @@ void measure(Solid& solid, const Job& job, ShellDistances known, Measure what) {
   report.surfaceDeviation = surfaceDeviation(solid, job.surface);
 }
 
-}  // namespace thicken
+}  // namespace thicken::measure

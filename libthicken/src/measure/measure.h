@@ -9,7 +9,7 @@
 #include "job/job.h"
 #include "thicken/result.h"
 
-namespace thicken {
+namespace thicken::measure {
 
 /// Signed volume (mm³) of a closed mesh, summed about its first vertex to keep digits.
 [[nodiscard]] double volumeOf(const TriangleMesh& mesh);
@@ -31,6 +31,6 @@ struct ShellDistances {
 /// Fills the output part of `solid.report` from the mesh, its regions and its depths. `known`: what is known
 /// already, or nothing. Shell points whose closest point lies on the rim belong to the wall and do not count
 /// as shell error (paper §4.2, Remark 4).
-void measure(Solid& solid, const Job& job, ShellDistances known, Measure what);
+void measure(Solid& solid, const job::Job& job, ShellDistances known, Measure what);
 
-}  // namespace thicken
+}  // namespace thicken::measure

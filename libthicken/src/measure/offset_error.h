@@ -15,7 +15,7 @@
 #include "thicken/mesh.h"
 #include "thicken/options.h"
 
-namespace thicken {
+namespace thicken::measure {
 
 /// Farthest that a mitred shell may be from S, in r.
 inline constexpr double kMitreLimit = 2;
@@ -30,7 +30,8 @@ inline constexpr double kMitreLimit = 2;
 class OffsetError {
  public:
   /// `job`, `normal` (of the triangles of its surface) and `around` must outlive this.
-  OffsetError(const Job& job, std::span<const Vec3> normal, const VertexTriangles& around, Join join)
+  OffsetError(const job::Job& job, std::span<const Vec3> normal, const mesh::VertexTriangles& around,
+              Join join)
       : job_(job), normal_(normal), around_(around), join_(join) {}
 
   struct Error {
@@ -71,10 +72,10 @@ class OffsetError {
     }
   }
 
-  const Job& job_;
+  const job::Job& job_;
   std::span<const Vec3> normal_;
-  const VertexTriangles& around_;
+  const mesh::VertexTriangles& around_;
   Join join_;
 };
 
-}  // namespace thicken
+}  // namespace thicken::measure

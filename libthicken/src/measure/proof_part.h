@@ -10,7 +10,7 @@
 
 #include "thicken/mesh.h"
 
-namespace thicken::proving {
+namespace thicken::measure {
 
 using Corners = std::array<Vec3, 3>;
 
@@ -55,4 +55,4 @@ inline Vec3 normalOf(const Corners& t) {
   return (t[1] - t[0]).cross(t[2] - t[0]).stableNormalized();
 }
 
-}  // namespace thicken::proving
+}  // namespace thicken::measure

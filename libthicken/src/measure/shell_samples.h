@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-namespace thicken {
+namespace thicken::measure {
 
 /// Barycentric: the middle of a triangle and the middles of its three corner pieces.
 inline constexpr std::size_t kMostShellSamples = 4;
@@ -18,4 +18,4 @@ inline std::size_t shellSamplesPerTriangle(std::size_t triangles) {
   return triangles > 50000 ? 1 : kMostShellSamples;
 }
 
-}  // namespace thicken
+}  // namespace thicken::measure

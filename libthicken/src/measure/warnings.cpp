@@ -5,7 +5,10 @@
 
 #include "mesh/place_text.h"
 
-namespace thicken {
+namespace thicken::measure {
+
+using mesh::text;
+
 namespace {
 
 // A wall is thin below this share of the thickness.
@@ -149,4 +152,4 @@ void addWarnings(Report& report) {
   addViolations(report);
 }
 
-}  // namespace thicken
+}  // namespace thicken::measure

@@ -8,7 +8,7 @@
 
 #include "thicken/result.h"
 
-namespace thicken {
+namespace thicken::measure {
 
 /// "12.3 %"; never "0 %" for what is not 0.
 [[nodiscard]] std::string percentText(double share);
@@ -20,4 +20,4 @@ namespace thicken {
 /// thickness that does not fit the size of the surface.
 void addWarnings(Report& report);
 
-}  // namespace thicken
+}  // namespace thicken::measure

@@ -9,7 +9,7 @@
 
 #include "thicken/mesh.h"
 
-namespace thicken {
+namespace thicken::mesh {
 
 struct Bounds {
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
@@ -48,4 +48,4 @@ struct Bounds {
   return std::any_of(boxes.begin(), boxes.end(), [&](const Bounds& box) { return box.overlaps(b); });
 }
 
-}  // namespace thicken
+}  // namespace thicken::mesh

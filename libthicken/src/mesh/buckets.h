@@ -10,7 +10,7 @@
 
 #include "parallel/parallel_for.h"
 
-namespace thicken {
+namespace thicken::mesh {
 
 /// The values in bucket b are `values[offset[b]] … values[offset[b + 1] − 1]`.
 template <class T>
@@ -24,15 +24,15 @@ struct Buckets {
 template <class T, class Visit>
 [[nodiscard]] Buckets<T> intoBuckets(std::size_t items, std::size_t buckets, int threads, Visit visit) {
   constexpr std::size_t kWorthwhile = 1 << 14, kMostParts = 8;
-  const std::size_t parts = std::clamp<std::size_t>(items / kWorthwhile, 1,
-                                                    std::min<std::size_t>(threadCount(threads), kMostParts));
+  const std::size_t parts = std::clamp<std::size_t>(
+      items / kWorthwhile, 1, std::min<std::size_t>(parallel::threadCount(threads), kMostParts));
   const RunContext uncancelled;
   std::vector<std::vector<std::uint32_t>> next(parts);  // place of the next value, a bucket
   const auto forPart = [&](std::size_t part, const auto& put) {
     const std::size_t end = items * (part + 1) / parts;
     for (std::size_t i = items * part / parts; i < end; ++i) visit(i, put);
   };
-  parallelFor(parts, threads, uncancelled, 1, [&](std::size_t part) {
+  parallel::parallelFor(parts, threads, uncancelled, 1, [&](std::size_t part) {
     next[part].assign(buckets, 0);
     forPart(part, [&count = next[part]](std::size_t bucket, const T&) { ++count[bucket]; });
   });
@@ -49,10 +49,10 @@ template <class T, class Visit>
   }
   result.offset[buckets] = sum;
   result.values.resize(sum);
-  parallelFor(parts, threads, uncancelled, 1, [&](std::size_t part) {
+  parallel::parallelFor(parts, threads, uncancelled, 1, [&](std::size_t part) {
     forPart(part, [&](std::size_t bucket, const T& value) { result.values[next[part][bucket]++] = value; });
   });
   return result;
 }
 
-}  // namespace thicken
+}  // namespace thicken::mesh

@@ -9,7 +9,7 @@
 
 #include "thicken/mesh.h"
 
-namespace thicken {
+namespace thicken::mesh {
 
 /// Of the edge from `a` to `b`.
 [[nodiscard]] inline std::uint64_t directedKey(VertexId a, VertexId b) {
@@ -24,4 +24,4 @@ namespace thicken {
 /// Edges by edgeKey(), or by directedKey() where their direction counts.
 using EdgeSet = std::unordered_set<std::uint64_t>;
 
-}  // namespace thicken
+}  // namespace thicken::mesh

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "mesh/float_lattice.h"
 
-namespace thicken {
+namespace thicken::mesh {
 namespace {
 
 double throughFloatStorage(double x) {
@@ -19,4 +19,4 @@ bool isFloat(const Vec3& p) {
   return roundToFloat(p) == p;
 }
 
-}  // namespace thicken
+}  // namespace thicken::mesh

@@ -6,7 +6,7 @@
 
 #include "thicken/mesh.h"
 
-namespace thicken {
+namespace thicken::mesh {
 
 /// `p` with every coordinate rounded to the nearest float (held in doubles). −0 becomes 0.
 [[nodiscard]] Vec3 roundToFloat(const Vec3& p);
@@ -14,4 +14,4 @@ namespace thicken {
 /// Whether every coordinate of `p` is a float value.
 [[nodiscard]] bool isFloat(const Vec3& p);
 
-}  // namespace thicken
+}  // namespace thicken::mesh

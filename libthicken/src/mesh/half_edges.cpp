@@ -5,7 +5,7 @@
 
 #include "mesh/buckets.h"
 
-namespace thicken {
+namespace thicken::mesh {
 
 HalfEdges::HalfEdges(std::size_t vertexCount, std::span<const Triangle> triangles,
                      std::span<const std::uint8_t> active, int threads) {
@@ -17,7 +17,7 @@ HalfEdges::HalfEdges(std::size_t vertexCount, std::span<const Triangle> triangle
       });
   offset_ = std::move(leaving.offset);
   edges_ = std::move(leaving.values);
-  parallelFor(vertexCount, threads, RunContext(), 4096, [&](std::size_t v) {
+  parallel::parallelFor(vertexCount, threads, RunContext(), 4096, [&](std::size_t v) {
     std::sort(
         edges_.begin() + offset_[v], edges_.begin() + offset_[v + 1],
         [](const HalfEdge& a, const HalfEdge& b) { return a.to != b.to ? a.to < b.to : a.slot < b.slot; });
@@ -32,4 +32,4 @@ std::span<const HalfEdge> HalfEdges::search(std::span<const HalfEdge> leaving, V
   return {begin, end};
 }
 
-}  // namespace thicken
+}  // namespace thicken::mesh

@@ -8,7 +8,7 @@
 
 #include "thicken/mesh.h"
 
-namespace thicken {
+namespace thicken::mesh {
 
 /// One use of an edge by a triangle, in the triangle's direction. `slot` is 3 · triangle + corner.
 struct HalfEdge {
@@ -70,4 +70,4 @@ class HalfEdges {
   std::vector<HalfEdge> edges_;
 };
 
-}  // namespace thicken
+}  // namespace thicken::mesh

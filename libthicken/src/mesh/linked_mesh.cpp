@@ -5,7 +5,7 @@
 
 #include "mesh/topology.h"
 
-namespace thicken {
+namespace thicken::mesh {
 
 LinkedMesh::LinkedMesh(std::size_t vertices, std::vector<Triangle>& triangles, int threads)
     : triangles_(triangles),
@@ -130,4 +130,4 @@ void LinkedMesh::turn(TriangleId t, int edge) {
   any_[after[1][1]] = other;
 }
 
-}  // namespace thicken
+}  // namespace thicken::mesh

@@ -10,7 +10,7 @@
 
 #include "thicken/mesh.h"
 
-namespace thicken {
+namespace thicken::mesh {
 
 class LinkedMesh {
  public:
@@ -58,4 +58,4 @@ class LinkedMesh {
   std::vector<VertexId> link_;  // scratch
 };
 
-}  // namespace thicken
+}  // namespace thicken::mesh

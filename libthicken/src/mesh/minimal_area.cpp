@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-namespace thicken {
+namespace thicken::mesh {
 
 std::vector<Triangle> minimalAreaTriangulation(std::span<const Vec3> positions,
                                                std::span<const VertexId> loop, const EdgeSet& forbidden,
@@ -54,4 +54,4 @@ std::vector<Triangle> minimalAreaTriangulation(std::span<const Vec3> positions,
   return triangles;
 }
 
-}  // namespace thicken
+}  // namespace thicken::mesh

@@ -11,7 +11,7 @@
 #include "mesh/edge_key.h"
 #include "thicken/mesh.h"
 
-namespace thicken {
+namespace thicken::mesh {
 
 /// Triangles over the vertices of `loop`, in its sense, without a chord that is in `forbidden` (by edgeKey())
 /// and of triangles that `allowed` accepts. Empty when there is none, or when the loop is too long for the
@@ -22,4 +22,4 @@ namespace thicken {
 
 inline constexpr std::size_t kLongestLoop = 600;
 
-}  // namespace thicken
+}  // namespace thicken::mesh

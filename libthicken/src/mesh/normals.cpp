@@ -7,7 +7,9 @@
 
 #include "parallel/parallel_for.h"
 
-namespace thicken {
+namespace thicken::mesh {
+
+using parallel::parallelFor;
 
 namespace {
 
@@ -49,4 +51,4 @@ std::vector<Vec3> vertexNormals(std::span<const Vec3> positions, std::span<const
   return n;
 }
 
-}  // namespace thicken
+}  // namespace thicken::mesh

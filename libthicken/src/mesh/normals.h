@@ -8,7 +8,7 @@
 
 #include "thicken/mesh.h"
 
-namespace thicken {
+namespace thicken::mesh {
 
 /// Unit normal of every triangle.
 [[nodiscard]] std::vector<Vec3> faceNormals(std::span<const Vec3> positions,
@@ -23,4 +23,4 @@ namespace thicken {
 /// Angle of triangle `t` at corner `k`, radians.
 [[nodiscard]] double cornerAngle(std::span<const Vec3> positions, const Triangle& t, int k);
 
-}  // namespace thicken
+}  // namespace thicken::mesh

@@ -11,7 +11,7 @@
 
 #include "parallel/parallel_for.h"
 
-namespace thicken {
+namespace thicken::mesh {
 
 /// How many of the first `count` items of the merged sequence come from `a`.
 template <class T, class Before>
@@ -32,8 +32,9 @@ template <class T, class Before>
 template <class T, class Before>
 void parallelMerge(std::span<const T> a, std::span<const T> b, T* out, Before before, int threads) {
   constexpr std::size_t kPiece = 1 << 14;
-  const std::size_t count = a.size() + b.size(), pieces = threadCount(threads) > 1 ? count / kPiece + 1 : 1;
-  parallelFor(pieces, threads, RunContext(), 1, [&](std::size_t i) {
+  const std::size_t count = a.size() + b.size(),
+                    pieces = parallel::threadCount(threads) > 1 ? count / kPiece + 1 : 1;
+  parallel::parallelFor(pieces, threads, RunContext(), 1, [&](std::size_t i) {
     const std::size_t from = count * i / pieces, to = count * (i + 1) / pieces;
     const std::size_t fromA = shareOfFirst(a, b, from, before), toA = shareOfFirst(a, b, to, before);
     std::merge(a.begin() + static_cast<std::ptrdiff_t>(fromA), a.begin() + static_cast<std::ptrdiff_t>(toA),
@@ -62,7 +63,8 @@ void mergeRuns(std::vector<T>& items, std::vector<std::size_t> bounds, Before be
   }
   if (from == items.data()) return;
   constexpr std::size_t kGrain = 1 << 14;
-  parallelFor(items.size(), threads, RunContext(), kGrain, [&](std::size_t i) { items[i] = buffer[i]; });
+  parallel::parallelFor(items.size(), threads, RunContext(), kGrain,
+                        [&](std::size_t i) { items[i] = buffer[i]; });
 }
 
 /// Sorts `items`. `before` must order any two of them that differ.
@@ -70,15 +72,16 @@ template <class T, class Before>
 void parallelSort(std::vector<T>& items, Before before, int threads) {
   constexpr std::size_t kWorthwhile = 1 << 14;
   std::size_t parts = 1;
-  while (parts < static_cast<std::size_t>(threadCount(threads)) && items.size() / parts > kWorthwhile)
+  while (parts < static_cast<std::size_t>(parallel::threadCount(threads)) &&
+         items.size() / parts > kWorthwhile)
     parts *= 2;
   std::vector<std::size_t> bounds;
   for (std::size_t i = 0; i <= parts; ++i) bounds.push_back(items.size() * i / parts);
-  parallelFor(parts, threads, RunContext(), 1, [&](std::size_t i) {
+  parallel::parallelFor(parts, threads, RunContext(), 1, [&](std::size_t i) {
     std::sort(items.begin() + static_cast<std::ptrdiff_t>(bounds[i]),
               items.begin() + static_cast<std::ptrdiff_t>(bounds[i + 1]), before);
   });
   mergeRuns(items, std::move(bounds), before, threads);
 }
 
-}  // namespace thicken
+}  // namespace thicken::mesh

@@ -7,11 +7,11 @@
 
 #include "thicken/mesh.h"
 
-namespace thicken {
+namespace thicken::mesh {
 
 /// A point as it stands in sentences.
 [[nodiscard]] inline std::string text(const Vec3& p) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z());
 }
 
-}  // namespace thicken
+}  // namespace thicken::mesh

@@ -7,7 +7,7 @@
 
 #include "thicken/mesh.h"
 
-namespace thicken {
+namespace thicken::mesh {
 
 /// Where on the segment from a to b it is closest to p, from 0 to 1.
 [[nodiscard]] inline double shareOfSegment(const Vec3& p, const Vec3& a, const Vec3& b) {
@@ -21,4 +21,4 @@ namespace thicken {
   return (a + shareOfSegment(p, a, b) * (b - a) - p).norm();
 }
 
-}  // namespace thicken
+}  // namespace thicken::mesh

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace thicken {
+namespace thicken::mesh {
 
 /// Sorts `items` and drops all but one of those that are equal.
 template <class T>
@@ -13,4 +13,4 @@ void sortUnique(std::vector<T>& items) {
   items.erase(std::unique(items.begin(), items.end()), items.end());
 }
 
-}  // namespace thicken
+}  // namespace thicken::mesh

@@ -6,7 +6,9 @@
 #include "mesh/union_find.h"
 #include "parallel/parallel_for.h"
 
-namespace thicken {
+namespace thicken::mesh {
+
+using parallel::parallelFor;
 
 VertexTriangles vertexTriangles(std::size_t vertexCount, std::span<const Triangle> triangles, int threads) {
   auto around =
@@ -74,4 +76,4 @@ Components componentsOf(std::size_t vertexCount, std::span<const Triangle> trian
   return result;
 }
 
-}  // namespace thicken
+}  // namespace thicken::mesh

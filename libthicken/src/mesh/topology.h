@@ -9,7 +9,7 @@
 
 #include "thicken/mesh.h"
 
-namespace thicken {
+namespace thicken::mesh {
 
 inline constexpr std::uint32_t kNone = 0xffffffffu;
 
@@ -53,4 +53,4 @@ struct Components {
 [[nodiscard]] Components componentsOf(std::size_t vertexCount, std::span<const Triangle> triangles,
                                       int threads = 1);
 
-}  // namespace thicken
+}  // namespace thicken::mesh

@@ -13,7 +13,7 @@
 #include "parallel/parallel_for.h"
 #include "platform/shared_number.h"
 
-namespace thicken {
+namespace thicken::mesh {
 
 class UnionFind {
  public:
@@ -46,7 +46,7 @@ class UnionFind {
       if (a == b) return;
       if (a > b) std::swap(a, b);
       std::uint32_t root = b;
-      if (SharedNumber(up_[b]).compare_exchange_strong(root, a, std::memory_order_relaxed)) return;
+      if (platform::SharedNumber(up_[b]).compare_exchange_strong(root, a, std::memory_order_relaxed)) return;
     }
   }
 
@@ -54,14 +54,14 @@ class UnionFind {
   template <class PairOf>
   void joinAll(std::size_t count, int threads, PairOf pairOf) {
     constexpr std::size_t kGrain = 1 << 13;
-    if (threadCount(threads) == 1 || count <= kGrain) {
+    if (parallel::threadCount(threads) == 1 || count <= kGrain) {
       for (std::size_t i = 0; i < count; ++i) {
         const auto [a, b] = pairOf(i);
         join(a, b);
       }
       return;
     }
-    parallelFor(count, threads, RunContext(), kGrain, [&](std::size_t i) {
+    parallel::parallelFor(count, threads, RunContext(), kGrain, [&](std::size_t i) {
       const auto [a, b] = pairOf(i);
       joinShared(a, b);
     });
@@ -70,7 +70,7 @@ class UnionFind {
   /// The roots of all numbers.
   [[nodiscard]] std::vector<std::uint32_t> roots(int threads) {
     std::vector<std::uint32_t> result(up_.size());
-    parallelFor(up_.size(), threads, RunContext(), 1 << 13, [&](std::size_t i) {
+    parallel::parallelFor(up_.size(), threads, RunContext(), 1 << 13, [&](std::size_t i) {
       std::uint32_t r = up_[i];
       while (up_[r] != r) r = up_[r];
       result[i] = r;
@@ -82,10 +82,10 @@ class UnionFind {
   // What is written to a number that is no root is always another member of its set, and nearer to the root.
   std::uint32_t rootShared(std::uint32_t i) {
     for (;;) {
-      const std::uint32_t up = SharedNumber(up_[i]).load(std::memory_order_relaxed);
+      const std::uint32_t up = platform::SharedNumber(up_[i]).load(std::memory_order_relaxed);
       if (up == i) return i;
-      const std::uint32_t next = SharedNumber(up_[up]).load(std::memory_order_relaxed);
-      if (next != up) SharedNumber(up_[i]).store(next, std::memory_order_relaxed);
+      const std::uint32_t next = platform::SharedNumber(up_[up]).load(std::memory_order_relaxed);
+      if (next != up) platform::SharedNumber(up_[i]).store(next, std::memory_order_relaxed);
       i = next;
     }
   }
@@ -93,4 +93,4 @@ class UnionFind {
   std::vector<std::uint32_t> up_;
 };
 
-}  // namespace thicken
+}  // namespace thicken::mesh

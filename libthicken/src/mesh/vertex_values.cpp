@@ -11,7 +11,7 @@
 #include "thicken/closest_point.h"
 #include "thicken/error.h"
 
-namespace thicken {
+namespace thicken::mesh {
 
 namespace {
 
@@ -62,4 +62,4 @@ std::vector<double> valuesAt(const TriangleMesh& from, std::span<const double> v
   return there;
 }
 
-}  // namespace thicken
+}  // namespace thicken::mesh

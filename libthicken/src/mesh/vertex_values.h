@@ -10,7 +10,7 @@
 
 #include "thicken/mesh.h"
 
-namespace thicken {
+namespace thicken::mesh {
 
 /// For each vertex of `to` the value of the vertex of `from` in the same place; of a new one, as where a
 /// repair divided a triangle or filled a hole, that of the closest point of `from`, linear over its triangle.
@@ -18,4 +18,4 @@ namespace thicken {
 [[nodiscard]] std::vector<double> valuesAt(const TriangleMesh& from, std::span<const double> values,
                                            const TriangleMesh& to, std::string_view what);
 
-}  // namespace thicken
+}  // namespace thicken::mesh

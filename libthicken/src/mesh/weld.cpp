@@ -12,6 +12,10 @@
 #include "thicken/check.h"
 
 namespace thicken {
+
+using mesh::kNone;
+using parallel::parallelFor;
+
 namespace {
 
 using Key = std::array<std::uint64_t, 3>;
@@ -40,7 +44,7 @@ class PlaceTable {
       : places_(places), hashes_(hashes), slot_(std::bit_ceil(2 * expected + 2), kNone) {}
 
   // Brings the line that firstOf() looks at first into the cache.
-  void prefetch(std::uint32_t id) const { thicken::prefetch(&slot_[hashes_[id] & (slot_.size() - 1)]); }
+  void prefetch(std::uint32_t id) const { platform::prefetch(&slot_[hashes_[id] & (slot_.size() - 1)]); }
 
   // The place that was asked for first of those that equal this one: the place itself when it is new.
   std::uint32_t firstOf(std::uint32_t id) {
@@ -83,7 +87,9 @@ std::vector<std::uint32_t> firstEqual(std::span<const Vec3> places, int threads)
   parallelFor(places.size(), threads, RunContext(), kGrain,
               [&](std::size_t i) { hashes[i] = hashOf(keyOf(places[i])); });
   const std::size_t shares =
-      places.size() > kGrain ? std::min<std::size_t>(static_cast<std::size_t>(threadCount(threads)), 8) : 1;
+      places.size() > kGrain
+          ? std::min<std::size_t>(static_cast<std::size_t>(parallel::threadCount(threads)), 8)
+          : 1;
   std::vector<std::uint32_t> first(places.size());
   parallelFor(shares, threads, RunContext(), 1, [&](std::size_t share) {
     const auto isMine = [&](std::size_t i) { return (hashes[i] >> 32) % shares == share; };

@@ -13,14 +13,12 @@
 #include "parallel/thread_pool.h"
 #include "thicken/run_context.h"
 
-namespace thicken {
+namespace thicken::parallel {
 
 /// Threads that a request of `threads` (0: all) means.
 [[nodiscard]] inline int threadCount(int threads) {
   return threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
-
-namespace detail {
 
 /// Calls block(b) for b in [0, blocks), which must not throw, on up to `count` threads.
 template <class Block>
@@ -33,8 +31,6 @@ void runBlocks(std::size_t blocks, int count, Block block) {
   runWithHelpers(useful - 1, work);
 }
 
-}  // namespace detail
-
 /// Calls body(i) for i in [0, n), in blocks of `grain`, on `threads` threads. Results must go to
 /// places addressed by i, so that they do not depend on the schedule. The exception of the lowest
 /// failing block is rethrown; a cancelled context ends the loop with kCancelled. Each block counts as a unit
@@ -45,7 +41,7 @@ void parallelFor(std::size_t n, int threads, const RunContext& context, std::siz
   std::exception_ptr error;
   std::size_t errorBlock = blocks;
   std::mutex guard;
-  detail::runBlocks(blocks, threadCount(threads), [&](std::size_t b) {
+  runBlocks(blocks, threadCount(threads), [&](std::size_t b) {
     try {
       context.throwIfCancelled();
       const std::size_t end = b + 1 < blocks ? (b + 1) * grain : n;
@@ -69,4 +65,4 @@ void parallelForParts(std::size_t n, int threads, const RunContext& context, std
               [&](std::size_t i) { work(i, i * part, std::min(n, (i + 1) * part)); });
 }
 
-}  // namespace thicken
+}  // namespace thicken::parallel

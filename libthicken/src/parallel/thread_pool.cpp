@@ -7,7 +7,7 @@
 #include <mutex>
 #include <thread>
 
-namespace thicken::detail {
+namespace thicken::parallel {
 
 namespace {
 
@@ -66,4 +66,4 @@ void runWithHelpers(int helpers, const std::function<void()>& work) {
   pool.run(helpers, work);
 }
 
-}  // namespace thicken::detail
+}  // namespace thicken::parallel

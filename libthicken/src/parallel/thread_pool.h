@@ -7,11 +7,11 @@
 
 #include <functional>
 
-namespace thicken::detail {
+namespace thicken::parallel {
 
 /// Calls `work` on the calling thread, and on up to `helpers` other threads until the first call has
 /// returned. Returns when all calls have. `work` must not throw. All calls have the caller's floating-point
 /// environment.
 void runWithHelpers(int helpers, const std::function<void()>& work);
 
-}  // namespace thicken::detail
+}  // namespace thicken::parallel

@@ -83,7 +83,7 @@ struct Projection {
 
 Projection projectionOf(const TriangleMesh& mesh, const View& view, const Canvas& canvas) {
   Projection projection{axesOf(view)};
-  Bounds box;
+  mesh::Bounds box;
   for (const Triangle& t : mesh.triangles)
     for (const VertexId v : t) box.add(projection.axes * mesh.positions[v]);
   if (mesh.triangles.empty()) return projection;

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <filesystem>
 
-namespace thicken {
+namespace thicken::platform {
 
 using PathChar = std::filesystem::path::value_type;
 
@@ -30,4 +30,4 @@ void removeFile(const PathChar* path) noexcept;
 /// Whether this process may make files in a folder.
 [[nodiscard]] bool mayWriteInto(const std::filesystem::path& folder) noexcept;
 
-}  // namespace thicken
+}  // namespace thicken::platform

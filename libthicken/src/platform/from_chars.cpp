@@ -13,7 +13,7 @@
 #include <cmath>
 #include <string>
 
-namespace thicken {
+namespace thicken::platform {
 namespace {
 
 // What the C library reads and std::from_chars does not: space and a plus sign before the number, and
@@ -50,6 +50,6 @@ std::from_chars_result from_chars(const char* begin, const char* end, float& val
   return converted(&strtof_l, begin, end, value);
 }
 
-}  // namespace thicken
+}  // namespace thicken::platform
 
 #endif

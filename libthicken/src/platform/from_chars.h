@@ -6,7 +6,7 @@
 
 #include <charconv>
 
-namespace thicken {
+namespace thicken::platform {
 
 #if defined(__cpp_lib_to_chars)
 
@@ -19,4 +19,4 @@ std::from_chars_result from_chars(const char* begin, const char* end, float& val
 
 #endif
 
-}  // namespace thicken
+}  // namespace thicken::platform

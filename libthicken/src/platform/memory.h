@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-namespace thicken {
+namespace thicken::platform {
 
 /// Largest resident size of the process so far, bytes; 0 where the system does not say.
 [[nodiscard]] std::size_t peakMemory() noexcept;
@@ -25,4 +25,4 @@ void keepFreedMemory() noexcept;
 /// are freed. Then the process holds about what it uses. It costs some time.
 void returnFreedArrays(std::size_t limit) noexcept;
 
-}  // namespace thicken
+}  // namespace thicken::platform

@@ -18,7 +18,7 @@
 #include "platform/memory.h"
 #include "platform/process.h"
 
-namespace thicken {
+namespace thicken::platform {
 
 std::FILE* openFile(const std::filesystem::path& path) noexcept {
   return std::fopen(path.c_str(), "rb");
@@ -109,6 +109,6 @@ void returnFreedArrays(std::size_t limit) noexcept {
 #endif
 }
 
-}  // namespace thicken
+}  // namespace thicken::platform
 
 #endif

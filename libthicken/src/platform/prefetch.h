@@ -5,7 +5,7 @@
 #include <xmmintrin.h>
 #endif
 
-namespace thicken {
+namespace thicken::platform {
 
 /// Has the cache line of `address` brought while other things are computed. Changes nothing else.
 inline void prefetch([[maybe_unused]] const void* address) {
@@ -16,4 +16,4 @@ inline void prefetch([[maybe_unused]] const void* address) {
 #endif
 }
 
-}  // namespace thicken
+}  // namespace thicken::platform

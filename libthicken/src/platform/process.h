@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace thicken {
+namespace thicken::platform {
 
 /// The words of the command line in UTF-8; from here on the console shows UTF-8, too.
 [[nodiscard]] std::vector<std::string> commandLine(int argc, const char* const* argv);
@@ -22,4 +22,4 @@ void writeToStderr(std::string_view text) noexcept;
 /// Ends the process without any cleaning up. Signal handlers may call it.
 [[noreturn]] void endProcess(int status) noexcept;
 
-}  // namespace thicken
+}  // namespace thicken::platform

@@ -4,7 +4,7 @@
 #include <atomic>
 #include <cstdint>
 
-namespace thicken {
+namespace thicken::platform {
 
 #if defined(__cpp_lib_atomic_ref)
 
@@ -35,4 +35,4 @@ class SharedNumber {
 
 #endif
 
-}  // namespace thicken
+}  // namespace thicken::platform

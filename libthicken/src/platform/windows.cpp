@@ -23,7 +23,7 @@
 #include "platform/memory.h"
 #include "platform/process.h"
 
-namespace thicken {
+namespace thicken::platform {
 namespace {
 
 constexpr int kStderr = 2;
@@ -109,6 +109,6 @@ void returnFreedMemory() noexcept {}
 void keepFreedMemory() noexcept {}
 void returnFreedArrays(std::size_t) noexcept {}
 
-}  // namespace thicken
+}  // namespace thicken::platform
 
 #endif

@@ -359,7 +359,7 @@ Request readArguments(int argc, const char* const* argv) {
   } catch (const CLI::ParseError& error) {
     throw usageError(error, command);
   }
-  if (!check && !trim) requireValid(arguments.options);
+  if (!check && !trim) pipeline::requireValid(arguments.options);
   if (!arguments.repaired.empty() && !arguments.options.repair)
     throw Error(ErrorCode::kInvalidArgument, "--repaired writes what --repair makes; give --repair, too");
   if (!arguments.repaired.empty() && arguments.sheets)
@@ -377,7 +377,8 @@ Request readArguments(int argc, const char* const* argv) {
   if (arguments.colours && !holdsColours(arguments.output))
     throw Error(ErrorCode::kInvalidArgument, "--colours is for an OUTPUT of type .3mf, which holds colours");
   arguments.limitGiven = memory > 0;
-  arguments.memoryLimit = memory > 0 ? static_cast<std::size_t>(memory * kMebibyte) : machineMemory();
+  arguments.memoryLimit =
+      memory > 0 ? static_cast<std::size_t>(memory * kMebibyte) : platform::machineMemory();
   arguments.given = optionsOfOutput(app);
   refuseSharedPaths(arguments);
   refuseSkipping(arguments);

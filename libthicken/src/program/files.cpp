@@ -24,7 +24,7 @@ void requireFolderFor(const fs::path& path) {
   const fs::path folder = place.parent_path();
   if (!fs::is_directory(folder, ignored))
     refuse(path, "there is no folder \"" + folder.string() + "\"; make it first");
-  if (!mayWriteInto(folder))
+  if (!platform::mayWriteInto(folder))
     refuse(path, "the folder \"" + folder.string() + "\" does not allow it; choose another");
 }
 

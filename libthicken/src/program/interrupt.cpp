@@ -20,8 +20,8 @@ extern "C" void cancelInterrupted(int) {
     return;
   }
   abandonWrites();
-  writeToStderr("\nthicken: cancelled: the run was cut off; nothing was written\n");
-  endProcess(exitStatus(ErrorCode::kCancelled));
+  platform::writeToStderr("\nthicken: cancelled: the run was cut off; nothing was written\n");
+  platform::endProcess(exitStatus(ErrorCode::kCancelled));
 }
 
 }  // namespace

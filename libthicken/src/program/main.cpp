@@ -33,7 +33,8 @@ int run(const std::vector<std::string>& words, bool& quiet) {
   RunContext context;
   context.setMemoryLimit(request.arguments->memoryLimit);
   context.setTimeLimit(request.arguments->timeLimit);
-  request.arguments->limitGiven ? returnFreedArrays(request.arguments->memoryLimit) : keepFreedMemory();
+  request.arguments->limitGiven ? platform::returnFreedArrays(request.arguments->memoryLimit)
+                                : platform::keepFreedMemory();
   cancelOnInterrupt(context);
   switch (request.arguments->command) {
     case Command::kCheck:
@@ -59,7 +60,7 @@ int fail(const Error& error, bool quiet) {
 int main(int argc, char** argv) {
   bool quiet = false;
   try {
-    return run(commandLine(argc, argv), quiet);
+    return run(platform::commandLine(argc, argv), quiet);
   } catch (const Error& error) {
     return fail(error, quiet);
   } catch (const std::bad_alloc&) {

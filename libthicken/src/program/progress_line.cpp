@@ -22,7 +22,7 @@ constexpr const char* kWipeLine = "\r\x1b[K";
 }  // namespace
 
 ProgressLine::ProgressLine(RunContext context, bool quiet) : context_(std::move(context)) {
-  if (quiet || !stderrIsTerminal()) return;
+  if (quiet || !platform::stderrIsTerminal()) return;
   try {
     thread_ = std::thread([this] { show(); });
   } catch (const std::system_error&) {

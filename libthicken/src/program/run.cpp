@@ -25,6 +25,9 @@
 #include "thicken/thicken.h"
 
 namespace thicken::program {
+
+using job::Stopwatch;
+
 namespace {
 
 // Rough shares of the program's own stages in a whole run.
@@ -128,7 +131,7 @@ Made makeSheets(const Arguments& arguments, const TriangleMesh& surface, const O
                       kReadShare + share * static_cast<double>(i + 1));
       Options own = options;
       if (!own.thicknessMap.empty())
-        own.thicknessMap = valuesAt(surface, options.thicknessMap, sheets[i].mesh, "the thickness map");
+        own.thicknessMap = mesh::valuesAt(surface, options.thicknessMap, sheets[i].mesh, "the thickness map");
       Solid solid = thicken(sheets[i].mesh, own, context);
       made.meshes.push_back(std::move(solid.mesh));
       made.regions.push_back(std::move(solid.region));
@@ -194,7 +197,7 @@ CheckResult checkSurface(const Arguments& arguments, RunContext& context,
   context.enter(Stage::kChecking, kReadShare, 1, 0);
   CheckResult result = check(surface, context, arguments.options.threads);
   result.nearRims = nearRims(surface, context, arguments.options.threads);
-  result.enoughMemory = peakMemory();
+  result.enoughMemory = platform::peakMemory();
   result.warnings = warnings;
   return result;
 }

@@ -10,7 +10,13 @@
 #include "mesh/minimal_area.h"
 #include "parallel/parallel_for.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
+
+using contour::Crossing;
+using contour::DualSurface;
+using contour::RimWay;
+using mesh::roundToFloat;
+using parallel::parallelForParts;
 
 namespace {
 
@@ -52,7 +58,7 @@ class Assembler {
   [[nodiscard]] std::size_t mostStripTriangles() const {
     std::size_t most = 0;
     for (const RimWay& way : ways_)
-      for (const RimVisit& visit : way) most += visit.vertices.size() + 2;
+      for (const contour::RimVisit& visit : way) most += visit.vertices.size() + 2;
     return most;
   }
 
@@ -85,7 +91,7 @@ class Assembler {
     out_.mesh.triangles.resize(triangles);
     out_.region.resize(triangles);
     out_.crossing.resize(place.back().triangles);
-    parallelFor(dual_.vertexCount, threads_, RunContext(), kPart, [&](std::size_t v) {
+    parallel::parallelFor(dual_.vertexCount, threads_, RunContext(), kPart, [&](std::size_t v) {
       out_.mesh.positions[out_.carrierVertices + v] = roundToFloat(dual_.start[v]);
     });
     parallelForParts(count, threads_, RunContext(), kPart,
@@ -103,7 +109,7 @@ class Assembler {
   }
 
   void addFace(std::uint32_t c, Place& at) {
-    const Region region = crossings_[c].beyond == Standing::kRim ? Region::kWall : Region::kShell;
+    const Region region = crossings_[c].beyond == field::Standing::kRim ? Region::kWall : Region::kShell;
     std::size_t next = at.triangles;
     const auto set = [&](const Triangle& t) {
       out_.mesh.triangles[out_.carrierTriangles + next] = t;
@@ -168,7 +174,7 @@ class Assembler {
     if (rim.size() > kLongest || isStar(rim, own)) return false;
     std::vector<VertexId> loop{own};
     for (std::size_t i = rim.size(); i-- > 0;) loop.push_back(rim[i].first);
-    const auto triangles = minimalAreaTriangulation(
+    const auto triangles = mesh::minimalAreaTriangulation(
         out_.mesh.positions, loop, carrierEdges_,
         [&](const Triangle& t) { return !exact::collinear(at(t[0]), at(t[1]), at(t[2])); });
     for (const Triangle& t : triangles) put(t);
@@ -178,11 +184,11 @@ class Assembler {
   // Chords that the triangulation must not use a second time.
   void listCarrierEdges(const Carrier& carrier) {
     std::vector<std::uint8_t> onRim(carrier.mesh.positions.size(), 0);
-    for (const RimEdge& e : carrier.rim.edges) onRim[e.from] = 1;
+    for (const mesh::RimEdge& e : carrier.rim.edges) onRim[e.from] = 1;
     for (const Triangle& t : carrier.mesh.triangles)
       for (int k = 0; k < 3; ++k) {
         const VertexId a = t[k], b = t[(k + 1) % 3];
-        if (onRim[a] && onRim[b]) carrierEdges_.insert(edgeKey(a, b));
+        if (onRim[a] && onRim[b]) carrierEdges_.insert(mesh::edgeKey(a, b));
       }
   }
 
@@ -205,7 +211,7 @@ class Assembler {
       std::vector<VertexId> chain{id(stops[from].vertex)};
       for (std::size_t i = from; i < to; ++i) {
         const auto& stop = stops[i % way.size()];
-        if (stop.onExit != kNone) chain.push_back(id(stop.onExit));
+        if (stop.onExit != mesh::kNone) chain.push_back(id(stop.onExit));
         chain.push_back(id(stops[(i + 1) % way.size()].vertex));
       }
       fill(v, w, chain);
@@ -216,7 +222,7 @@ class Assembler {
   const std::vector<Crossing>& crossings_;
   const std::vector<RimWay>& ways_;
   int threads_;
-  EdgeSet carrierEdges_;
+  mesh::EdgeSet carrierEdges_;
   Assembly out_;
 };
 
@@ -227,4 +233,4 @@ Assembly assemble(const Carrier& carrier, const DualSurface& dual, const std::ve
   return Assembler(carrier, dual, crossings, ways, threads).run();
 }
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

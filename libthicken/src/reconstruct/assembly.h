@@ -7,7 +7,7 @@
 #include "contour/dual_surface.h"
 #include "reconstruct/carrier.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
 
 struct Assembly {
   VertexId firstDivided = 0;         ///< of the carrier (Carrier)
@@ -25,8 +25,8 @@ struct Assembly {
   }
 };
 
-[[nodiscard]] Assembly assemble(const Carrier& carrier, const DualSurface& dual,
-                                const std::vector<Crossing>& crossings, const std::vector<RimWay>& ways,
-                                int threads);
+[[nodiscard]] Assembly assemble(const Carrier& carrier, const contour::DualSurface& dual,
+                                const std::vector<contour::Crossing>& crossings,
+                                const std::vector<contour::RimWay>& ways, int threads);
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

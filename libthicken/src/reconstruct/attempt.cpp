@@ -15,7 +15,11 @@
 #include "reconstruct/shape.h"
 #include "reconstruct/strip_region.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
+
+using contour::Seeds;
+using mesh::sortUnique;
+using platform::returnFreedMemory;
 
 namespace {
 
@@ -26,8 +30,8 @@ constexpr double kLift = 0.75, kSettlingLift = 0.25;
 
 }  // namespace
 
-Attempt::Attempt(const Job& job, const SweepResult& swept, double width, const WorkingSet& working,
-                 const Cut* cut)
+Attempt::Attempt(const job::Job& job, const sweep::SweepResult& swept, double width,
+                 const WorkingSet& working, const Cut* cut)
     : walls_(job, swept),
       contourer_(job, width, working, cut),
       job_(job),
@@ -42,8 +46,8 @@ std::vector<TriangleId> Attempt::run(std::span<const std::uint8_t> keep) {
   Carrier carrier = makeCarrier(swept_, walls_.positions(), walls_.up(), job_.surface.triangles.size(), keep,
                                 width_, cut_, job_.threads);
   carrier.covered = coveredTriangles(job_.surface, swept_, keep);
-  const Membership membership(carrier.mesh, job_.tree, job_.surface.triangles.size(), job_.thickness,
-                              carrier.region, carrier.covered, job_.threads);
+  const field::Membership membership(carrier.mesh, job_.tree, job_.surface.triangles.size(), job_.thickness,
+                                     carrier.region, carrier.covered, job_.threads);
   job_.watch.lap("sweep");
   Contour contour = contourer_.contour(carrier, membership, openShell(keep));
   // How many crossings there are was an estimate until now.
@@ -61,13 +65,13 @@ std::vector<TriangleId> Attempt::run(std::span<const std::uint8_t> keep) {
   chooseDiagonals(assembly_, contour.dual, contour.crossings, target, job_.context, job_.threads);
   contour.dual = {};
   if (working_.isLean) {
-    contour.crossings = std::vector<Crossing>();
+    contour.crossings = std::vector<contour::Crossing>();
     returnFreedMemory();
   }
   const std::vector<TriangleId> unsettled = settle(assembly_, target, carrier.up, kSettlingLift * width_,
                                                    proved_, working_.triangles, job_.context, job_.threads);
   carrier_.up = std::move(carrier.up);
-  std::vector<TriangleId> meeting = unsettled.empty() ? crowdedTriangles() : unsettled;
+  std::vector<TriangleId> meeting = unsettled.empty() ? nonManifoldTriangles() : unsettled;
   if (meeting.empty()) {
     // A window does not show enough of the boundary to tell whether a part is misplaced.
     if (cut_ == nullptr) dropMisplaced(assembly_, job_.threads);
@@ -94,16 +98,16 @@ bool Attempt::liftWalls(std::span<const TriangleId> meeting) {
 }
 
 // Where the rim circles around an edge of the grid, strips on either side of a vertex may use the same edge.
-std::vector<TriangleId> Attempt::crowdedTriangles() const {
-  std::vector<TriangleId> crowded;
+std::vector<TriangleId> Attempt::nonManifoldTriangles() const {
+  std::vector<TriangleId> found;
   edgesAtStrip(assembly_, job_.threads).forEachEdge([&](VertexId, VertexId, auto forth, auto back) {
     if (forth.size() + back.size() <= 2) return;
     for (const auto& uses : {forth, back})
-      for (const HalfEdge& use : uses)
-        if (use.triangle() >= assembly_.carrierTriangles) crowded.push_back(use.triangle());
+      for (const mesh::HalfEdge& use : uses)
+        if (use.triangle() >= assembly_.carrierTriangles) found.push_back(use.triangle());
   });
-  sortUnique(crowded);
-  return crowded;
+  sortUnique(found);
+  return found;
 }
 
 // Moves a point away from its closest point of S until nothing of S is nearer than the thickness. In a corner
@@ -146,4 +150,4 @@ Seeds Attempt::openShell(std::span<const std::uint8_t> keep) {
   return seeds;
 }
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

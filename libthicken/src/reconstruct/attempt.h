@@ -13,13 +13,14 @@
 #include "reconstruct/deep_walls.h"
 #include "reconstruct/settle.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
 
 class Attempt {
  public:
   /// All arguments by reference must outlive the attempt. `width` is the cells', mm; `cut` where `swept` is a
   /// window of a boundary, else null.
-  Attempt(const Job& job, const SweepResult& swept, double width, const WorkingSet& working, const Cut* cut);
+  Attempt(const job::Job& job, const sweep::SweepResult& swept, double width, const WorkingSet& working,
+          const Cut* cut);
 
   /// Makes the boundary from the triangles of the sweep that `keep` marks (S's among them). Returns the
   /// triangles of assembly() that meet others, ascending; none: it is done. Throws kNoSolid where a contour
@@ -31,22 +32,22 @@ class Attempt {
 
   [[nodiscard]] const Assembly& assembly() const { return assembly_; }
   /// Triangles of the contour on edges that more than two share, ascending.
-  [[nodiscard]] std::vector<TriangleId> crowdedTriangles() const;
+  [[nodiscard]] std::vector<TriangleId> nonManifoldTriangles() const;
   /// assembly(), moved out. No run() may follow.
   [[nodiscard]] Assembly takeAssembly() { return std::move(assembly_); }
   /// The carrier before its walls were drawn back with the contour. It has no triangles any more, and after a
   /// run() that returned none it has no positions either.
   [[nodiscard]] const Carrier& carrier() const { return carrier_; }
-  [[nodiscard]] const NodeField& field() const { return contourer_.field(); }
+  [[nodiscard]] const field::NodeField& field() const { return contourer_.field(); }
 
  private:
   [[nodiscard]] Vec3 pushedToShell(const Vec3& from) const;
-  [[nodiscard]] Seeds openShell(std::span<const std::uint8_t> keep);
+  [[nodiscard]] contour::Seeds openShell(std::span<const std::uint8_t> keep);
 
   DeepWalls walls_;
   Contourer contourer_;
-  const Job& job_;
-  const SweepResult& swept_;
+  const job::Job& job_;
+  const sweep::SweepResult& swept_;
   double width_;
   WorkingSet working_;
   const Cut* cut_;
@@ -56,4 +57,4 @@ class Attempt {
   Carrier carrier_;
 };
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

@@ -11,7 +11,11 @@
 #include "mesh/normals.h"
 #include "thicken/error.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
+
+using mesh::Rim;
+using mesh::RimEdge;
+using mesh::vertexTriangles;
 
 namespace {
 
@@ -66,7 +70,7 @@ class RimDivider {
     std::vector<VertexId> ids;
     Vec3 last = from;
     for (int i = 1; i < parts; ++i) {
-      const Vec3 p = roundToFloat(from + (double(i) / parts) * (to - from));
+      const Vec3 p = mesh::roundToFloat(from + (double(i) / parts) * (to - from));
       if (p == last || p == to) continue;
       last = p;
       ids.push_back(static_cast<VertexId>(carrier_.mesh.positions.size()));
@@ -114,23 +118,23 @@ class RimDivider {
 
 }  // namespace
 
-std::vector<VertexId> pinchedVertices(const TriangleMesh& mesh, std::span<const std::uint8_t> keep) {
-  const HalfEdges edges(mesh.positions.size(), mesh.triangles, keep);
+std::vector<VertexId> nonManifoldVertices(const TriangleMesh& mesh, std::span<const std::uint8_t> keep) {
+  const mesh::HalfEdges edges(mesh.positions.size(), mesh.triangles, keep);
   std::vector<std::uint8_t> rimEdges(mesh.positions.size(), 0);
-  std::vector<VertexId> pinched;
+  std::vector<VertexId> nonManifold;
   edges.forEachEdge([&](VertexId a, VertexId b, auto forth, auto back) {
     if (forth.size() + back.size() != 1) return;
     const VertexId from = forth.empty() ? b : a;
-    if (rimEdges[from] < 2 && ++rimEdges[from] == 2) pinched.push_back(from);
+    if (rimEdges[from] < 2 && ++rimEdges[from] == 2) nonManifold.push_back(from);
   });
-  return pinched;
+  return nonManifold;
 }
 
 void closeFans(const TriangleMesh& swept, std::vector<std::uint8_t>& keep) {
   const auto around = vertexTriangles(swept.positions.size(), swept.triangles);
   for (bool grown = true; grown;) {
     grown = false;
-    for (const VertexId v : pinchedVertices(swept, keep))
+    for (const VertexId v : nonManifoldVertices(swept, keep))
       for (const TriangleId t : around.of(v)) {
         grown |= keep[t] == 0;
         keep[t] = 1;
@@ -143,7 +147,7 @@ void openFans(const TriangleMesh& swept, std::span<const std::uint8_t> openable,
   const auto around = vertexTriangles(swept.positions.size(), swept.triangles);
   for (bool shrunk = true; shrunk;) {
     shrunk = false;
-    for (const VertexId v : pinchedVertices(swept, keep))
+    for (const VertexId v : nonManifoldVertices(swept, keep))
       for (const TriangleId t : around.of(v)) {
         if (!keep[t] || !openable[t]) continue;
         shrunk = true;
@@ -158,7 +162,7 @@ void trimSpikes(const TriangleMesh& swept, std::span<const std::uint8_t> openabl
   constexpr double kSharp = 2;  // radians
   const auto around = vertexTriangles(swept.positions.size(), swept.triangles);
   const auto angleAt = [&](const Triangle& t, VertexId v) {
-    return cornerAngle(swept.positions, t, t[0] == v ? 0 : t[1] == v ? 1 : 2);
+    return mesh::cornerAngle(swept.positions, t, t[0] == v ? 0 : t[1] == v ? 1 : 2);
   };
   for (int round = 0; round < kRounds; ++round) {
     std::vector<TriangleId> spikes;
@@ -172,7 +176,7 @@ void trimSpikes(const TriangleMesh& swept, std::span<const std::uint8_t> openabl
           continue;
         }
         anyKept = true;
-        isFree &= areaOf(swept.positions, swept.triangles[t]) <= largest;
+        isFree &= measure::areaOf(swept.positions, swept.triangles[t]) <= largest;
         angle += angleAt(swept.triangles[t], v);
       }
       if (!isFree || !anyKept || !anyGone || angle > kSharp) continue;
@@ -184,7 +188,7 @@ void trimSpikes(const TriangleMesh& swept, std::span<const std::uint8_t> openabl
   }
 }
 
-Carrier makeCarrier(const SweepResult& swept, std::span<const Vec3> positions, std::vector<Vec3> up,
+Carrier makeCarrier(const sweep::SweepResult& swept, std::span<const Vec3> positions, std::vector<Vec3> up,
                     std::size_t surfaceTriangles, std::span<const std::uint8_t> keep, double longest,
                     const Cut* cut, int threads) {
   Carrier carrier;
@@ -198,7 +202,7 @@ Carrier makeCarrier(const SweepResult& swept, std::span<const Vec3> positions, s
     carrier.source.push_back(t);
   }
   const auto rimNow = [&] {
-    return withoutCut(rimOf(carrier.mesh.positions.size(), carrier.mesh.triangles, threads), cut);
+    return withoutCut(mesh::rimOf(carrier.mesh.positions.size(), carrier.mesh.triangles, threads), cut);
   };
   const Rim rim = rimNow();
   std::vector<std::array<bool, 3>> onRim(carrier.mesh.triangles.size(), {false, false, false});
@@ -212,4 +216,4 @@ Carrier makeCarrier(const SweepResult& swept, std::span<const Vec3> positions, s
   return carrier;
 }
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

@@ -14,7 +14,7 @@
 #include "sweep/sweep.h"
 #include "thicken/result.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
 
 struct Carrier {
   TriangleMesh mesh;                  ///< S's vertices and triangles first
@@ -22,13 +22,13 @@ struct Carrier {
   std::vector<Region> region;         ///< per triangle
   std::vector<TriangleId> source;     ///< per triangle: the sweep's that it is, or is a part of
   std::vector<std::uint8_t> covered;  ///< per triangle of S: it has shell for it
-  Rim rim;                            ///< its edges are no longer than asked, except those of S
+  mesh::Rim rim;                      ///< its edges are no longer than asked, except those of S
   std::vector<Vec3> up;               ///< per vertex: from the end of a wall to where it hangs on S; else 0
 };
 
 /// Vertices at which the triangles that `keep` marks (empty: all) form more than one fan.
-[[nodiscard]] std::vector<VertexId> pinchedVertices(const TriangleMesh& mesh,
-                                                    std::span<const std::uint8_t> keep);
+[[nodiscard]] std::vector<VertexId> nonManifoldVertices(const TriangleMesh& mesh,
+                                                        std::span<const std::uint8_t> keep);
 
 /// Which triangles of the sweep (S's included) the carrier takes: `keep`, enlarged until no vertex
 /// has two fans.
@@ -47,9 +47,9 @@ void trimSpikes(const TriangleMesh& swept, std::span<const std::uint8_t> openabl
 /// The carrier of the kept triangles, the sweep's vertices at `positions`, with `up` of each; rim edges
 /// longer than `longest` mm are divided evenly, those of the first `surfaceTriangles` triangles excepted.
 /// What `cut` lists (null: nothing) is no rim.
-[[nodiscard]] Carrier makeCarrier(const SweepResult& swept, std::span<const Vec3> positions,
+[[nodiscard]] Carrier makeCarrier(const sweep::SweepResult& swept, std::span<const Vec3> positions,
                                   std::vector<Vec3> up, std::size_t surfaceTriangles,
                                   std::span<const std::uint8_t> keep, double longest, const Cut* cut,
                                   int threads);
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

@@ -10,7 +10,7 @@
 #include "reconstruct/cells.h"
 #include "reconstruct/shell_plan.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
 
 namespace {
 
@@ -19,13 +19,13 @@ constexpr double kLargestGiven = 1000;
 
 }  // namespace
 
-CarrierShell::CarrierShell(const SweepResult& swept, std::span<const std::uint8_t> openable,
+CarrierShell::CarrierShell(const sweep::SweepResult& swept, std::span<const std::uint8_t> openable,
                            std::vector<std::uint8_t> keep, double width, int threads)
     : swept_(swept),
       openable_(openable),
       keep_(std::move(keep)),
       width_(width),
-      givenOver_(keep_.size(), 0),
+      opened_(keep_.size(), 0),
       tree_(swept.mesh.positions, swept.mesh.triangles, threads, openable) {
   bool anyOpenable = false;
   for (std::size_t t = 0; t < keep_.size(); ++t) anyOpenable |= openable_[t] && keep_[t];
@@ -35,13 +35,14 @@ CarrierShell::CarrierShell(const SweepResult& swept, std::span<const std::uint8_
   openAtFirst_ = openArea(swept, keep_);
 }
 
-bool CarrierShell::giveOver(const Assembly& assembly, std::span<const TriangleId> meeting, double reach) {
+bool CarrierShell::open(const Assembly& assembly, std::span<const TriangleId> meeting, double reach) {
   const std::vector<std::uint8_t> before = keep_;
   for (const TriangleId t : meeting)
     for (const TriangleId s : near(assembly.mesh, t, reach)) {
-      if (givenOver_[s]) continue;
-      givenOver_[s] = 1;
-      if (areaOf(swept_.mesh.positions, swept_.mesh.triangles[s]) > kLargestGiven * width_ * width_) continue;
+      if (opened_[s]) continue;
+      opened_[s] = 1;
+      if (measure::areaOf(swept_.mesh.positions, swept_.mesh.triangles[s]) > kLargestGiven * width_ * width_)
+        continue;
       keep_[s] = 0;
     }
   if (keep_ == before) return false;
@@ -75,7 +76,7 @@ bool CarrierShell::takeAllBack() {
 
 // The openable triangles within `reach` mm of the box around a triangle.
 std::vector<TriangleId> CarrierShell::near(const TriangleMesh& mesh, TriangleId t, double reach) const {
-  const Bounds b = boundsOf(mesh, mesh.triangles[t]);
+  const mesh::Bounds b = mesh::boundsOf(mesh, mesh.triangles[t]);
   return tree_.near(b.low - Vec3::Constant(reach), b.high + Vec3::Constant(reach));
 }
 
@@ -85,4 +86,4 @@ void CarrierShell::separateFans() {
   closeFans(swept_.mesh, keep_);
 }
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

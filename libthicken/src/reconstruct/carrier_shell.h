@@ -12,13 +12,13 @@
 #include "reconstruct/assembly.h"
 #include "sweep/sweep.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
 
 class CarrierShell {
  public:
   /// `keep`, `openable`: flags per triangle of `swept`: the carrier has it; it may become open. Spikes, and
   /// what hangs on by a vertex alone, are opened at once. `width`: of the contour's cells, mm.
-  CarrierShell(const SweepResult& swept, std::span<const std::uint8_t> openable,
+  CarrierShell(const sweep::SweepResult& swept, std::span<const std::uint8_t> openable,
                std::vector<std::uint8_t> keep, double width, int threads);
 
   [[nodiscard]] const std::vector<std::uint8_t>& keep() const { return keep_; }
@@ -29,7 +29,7 @@ class CarrierShell {
   /// a non-manifold vertex. No triangle is opened twice, and none larger than 1000 squares of a cell. All of
   /// it is undone if the open area would exceed both that at first and kManyBesideSweep cells. Returns
   /// whether any was opened.
-  bool giveOver(const Assembly& assembly, std::span<const TriangleId> meeting, double reach);
+  bool open(const Assembly& assembly, std::span<const TriangleId> meeting, double reach);
 
   /// Takes back open pieces near the contour's triangles that meet; near all that meet where none is the
   /// contour's. The reach begins with `first` mm and grows until there is a piece. Returns whether there was
@@ -43,13 +43,13 @@ class CarrierShell {
   [[nodiscard]] std::vector<TriangleId> near(const TriangleMesh& mesh, TriangleId t, double reach) const;
   void separateFans();
 
-  const SweepResult& swept_;
+  const sweep::SweepResult& swept_;
   std::span<const std::uint8_t> openable_;
   std::vector<std::uint8_t> keep_;
   double width_;
   double openAtFirst_ = 0;
-  std::vector<std::uint8_t> givenOver_;  ///< once
-  exact::BoxTree tree_;                  ///< of what may become open
+  std::vector<std::uint8_t> opened_;  ///< once
+  exact::BoxTree tree_;               ///< of what may become open
 };
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

@@ -14,7 +14,12 @@
 #include "mesh/normals.h"
 #include "thicken/error.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
+
+using field::UniformGrid;
+using job::Job;
+using mesh::Bounds;
+using mesh::boundsOf;
 
 namespace {
 
@@ -108,8 +113,8 @@ double shellShadows(const Job& job) {
   // A triangle crosses as many lines of the grid as its shadows along the axes are large. The shell's is that
   // of S with its vertices moved along their normals, less what turns over, which other parts of S cut off.
   const auto normal =
-      vertexNormals(surface.positions, surface.triangles,
-                    faceNormals(surface.positions, surface.triangles, job.threads), job.threads);
+      mesh::vertexNormals(surface.positions, surface.triangles,
+                          mesh::faceNormals(surface.positions, surface.triangles, job.threads), job.threads);
   double shadows = 0;
   for (const Triangle& t : surface.triangles) {
     std::array<Vec3, 3> p, q;
@@ -134,4 +139,4 @@ std::size_t heldBytes(const TriangleMesh& surface) {
   return kBase + kPerTriangle * surface.triangles.size();
 }
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

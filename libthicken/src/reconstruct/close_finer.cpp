@@ -8,7 +8,9 @@
 #include "reconstruct/holes.h"
 #include "reconstruct/in_windows.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
+
+using mesh::Bounds;
 
 namespace {
 
@@ -17,14 +19,15 @@ std::vector<TriangleId> meetingIn(const Assembly& assembly, std::span<const Tria
                                   std::span<const Bounds> zones) {
   std::vector<TriangleId> in;
   for (const TriangleId t : meeting)
-    if (overlapsAny(zones, boundsOf(assembly.mesh, assembly.mesh.triangles[t]))) in.push_back(t);
+    if (mesh::overlapsAny(zones, mesh::boundsOf(assembly.mesh, assembly.mesh.triangles[t]))) in.push_back(t);
   return in;
 }
 
 }  // namespace
 
-Closing closedFiner(const Job& job, const SweepResult& swept, const ContourTask& task, const Attempt& attempt,
-                    std::span<const TriangleId> meeting, std::vector<Bounds>& givenUp, Complete& complete) {
+Closing closedFiner(const job::Job& job, const sweep::SweepResult& swept, const ContourTask& task,
+                    const Attempt& attempt, std::span<const TriangleId> meeting, std::vector<Bounds>& givenUp,
+                    Complete& complete) {
   constexpr double kFiner = 0.5;
   constexpr std::size_t kCarriedBytes = 700;  // for each triangle of the carrier beyond S
   constexpr int kMostTimes = 5;
@@ -56,7 +59,7 @@ Closing closedFiner(const Job& job, const SweepResult& swept, const ContourTask&
       if (!std::all_of(in.made.begin(), in.made.end(), [](const auto& own) { return own.has_value(); }))
         return closing;
       for (VertexId& v : made.origin)
-        if (v >= swept.mesh.positions.size()) v = kNone;
+        if (v >= swept.mesh.positions.size()) v = mesh::kNone;
       closing.made = std::move(made);
       return closing;
     }
@@ -70,4 +73,4 @@ Closing closedFiner(const Job& job, const SweepResult& swept, const ContourTask&
   return closing;
 }
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

@@ -11,7 +11,7 @@
 #include "reconstruct/attempt.h"
 #include "reconstruct/contour_task.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
 
 /// What came of the finer cells.
 struct Closing {
@@ -22,8 +22,9 @@ struct Closing {
 /// Cuts holes around the triangles that `meeting` lists after `attempt` at `task`, and closes them in finer
 /// cells. The rest of the attempt is the carrier. Zones where the finest cells fail are added to `givenUp`,
 /// and are not tried again. Throws kCancelled.
-[[nodiscard]] Closing closedFiner(const Job& job, const SweepResult& swept, const ContourTask& task,
-                                  const Attempt& attempt, std::span<const TriangleId> meeting,
-                                  std::vector<Bounds>& givenUp, Complete& complete);
+[[nodiscard]] Closing closedFiner(const job::Job& job, const sweep::SweepResult& swept,
+                                  const ContourTask& task, const Attempt& attempt,
+                                  std::span<const TriangleId> meeting, std::vector<mesh::Bounds>& givenUp,
+                                  Complete& complete);
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

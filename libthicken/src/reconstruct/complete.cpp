@@ -20,11 +20,15 @@
 #include "reconstruct/loose_parts.h"
 #include "thicken/error.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
+
+using job::Job;
+using mesh::kNone;
+using sweep::SweepResult;
 
 namespace {
 
-constexpr int kMostTakenBack = 16, kMostGivenOver = 12;  // times
+constexpr int kMostTakenBack = 16, kMostOpened = 12;  // times
 // Cells of all attempts together before the whole sweep is taken, and attempts that are made in any case.
 constexpr double kMostWork = 2.5e6;
 constexpr std::size_t kSomeAttempts = 4;
@@ -62,7 +66,7 @@ void tellLeft(const Assembly& assembly, const SweepResult& swept, std::span<cons
     if (assembly.region[t] != Region::kShell || !left[assembly.source[t]]) continue;
     result.left.resize(assembly.region.size(), 0);
     result.left[t] = 1;
-    result.leftArea += areaOf(assembly.mesh.positions, assembly.mesh.triangles[t]);
+    result.leftArea += measure::areaOf(assembly.mesh.positions, assembly.mesh.triangles[t]);
   }
   if (result.left.empty()) return;
   result.base = swept.base;
@@ -172,8 +176,8 @@ class Completion {
     // Where opening more does not help at once, finer cells are the better answer.
     const bool mayGive = takenBack_ == 0 && meeting.size() < leastMeeting_;
     leastMeeting_ = std::min(leastMeeting_, meeting.size());
-    return (mayGive && givenOver_++ < kMostGivenOver &&
-            shell_.giveOver(attempt_.assembly(), meeting, reachOf(givenOver_ - 1, task_.width))) ||
+    return (mayGive && opened_++ < kMostOpened &&
+            shell_.open(attempt_.assembly(), meeting, reachOf(opened_ - 1, task_.width))) ||
            lifted;
   }
 
@@ -207,9 +211,9 @@ class Completion {
   CarrierShell shell_;
   Attempt attempt_;
   std::size_t round_ = 0;
-  int takenBack_ = 0, givenOver_ = 0;
+  int takenBack_ = 0, opened_ = 0;
   std::size_t leastMeeting_ = std::numeric_limits<std::size_t>::max();
-  std::vector<Bounds> givenUp_;  ///< where finer cells did not do
+  std::vector<mesh::Bounds> givenUp_;  ///< where finer cells did not do
   bool isNested_ = task_.allowance != nullptr;
   std::optional<std::size_t> allowance_;  ///< of its own, where the task brings none
   bool spent_ = false, tired_ = false;    ///< of finer cells; of attempts
@@ -221,4 +225,4 @@ std::optional<Reconstruction> complete(const Job& job, const SweepResult& swept,
   return Completion(job, swept, std::move(task)).run();
 }
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

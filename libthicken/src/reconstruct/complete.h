@@ -8,11 +8,11 @@
 
 #include "reconstruct/contour_task.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
 
 /// The solid of a carrier that is `task.keep` of `swept`; nullopt where it would need more of the sweep's
 /// shell and must not have it. Throws kNoSolid where not even the whole sweep is clear of itself, kCancelled.
-[[nodiscard]] std::optional<Reconstruction> complete(const Job& job, const SweepResult& swept,
+[[nodiscard]] std::optional<Reconstruction> complete(const job::Job& job, const sweep::SweepResult& swept,
                                                      ContourTask task);
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

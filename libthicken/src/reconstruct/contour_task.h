@@ -12,7 +12,7 @@
 #include "reconstruct/working_set.h"
 #include "sweep/sweep.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
 
 /// A carrier, and how the contour that closes it is to be made.
 struct ContourTask {
@@ -33,6 +33,7 @@ struct ContourTask {
 
 /// The type of complete(). Parts of a task are completed by it, too; passing it on avoids a circle of
 /// includes.
-using Complete = std::optional<Reconstruction>(const Job& job, const SweepResult& swept, ContourTask task);
+using Complete = std::optional<Reconstruction>(const job::Job& job, const sweep::SweepResult& swept,
+                                               ContourTask task);
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

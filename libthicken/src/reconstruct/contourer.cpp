@@ -10,7 +10,14 @@
 #include "platform/memory.h"
 #include "thicken/error.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
+
+using contour::Crossing;
+using contour::EdgePart;
+using contour::RimWay;
+using contour::Seeds;
+using field::GridIndex;
+using field::Membership;
 
 namespace {
 
@@ -18,8 +25,8 @@ constexpr double kMargin = 3;  // cells around the box grown by r
 constexpr int kMostShifts = 8;
 
 // Shifts the grid so that no node is likely to be at a coordinate of a file. Each try has another shift.
-UniformGrid gridFor(const TriangleMesh& surface, double thickness, double width, int attempt) {
-  const Bounds b = boundsOf(surface);
+field::UniformGrid gridFor(const TriangleMesh& surface, double thickness, double width, int attempt) {
+  const mesh::Bounds b = mesh::boundsOf(surface);
   const Vec3 shift{0.3819660112501051, 0.2360679774997896, 0.1458980337503154};
   Vec3 origin = b.low - Vec3::Constant(thickness + kMargin * width);
   GridIndex cells{};
@@ -51,13 +58,13 @@ TriangleMesh meshOf(std::span<const std::array<Vec3, 3>> corners) {
 std::vector<GridIndex> rimCells(const std::vector<RimWay>& ways) {
   std::vector<GridIndex> cells;
   for (const RimWay& way : ways)
-    for (const RimVisit& visit : way) cells.push_back(visit.cell);
+    for (const contour::RimVisit& visit : way) cells.push_back(visit.cell);
   return cells;
 }
 
 }  // namespace
 
-Contourer::Contourer(const Job& job, double width, const WorkingSet& working, const Cut* cut)
+Contourer::Contourer(const job::Job& job, double width, const WorkingSet& working, const Cut* cut)
     : job_(job), width_(width), working_(working), cut_(cut) {}
 
 Contour Contourer::contour(const Carrier& carrier, const Membership& membership, const Seeds& seeds) {
@@ -65,7 +72,7 @@ Contour Contourer::contour(const Carrier& carrier, const Membership& membership,
     try {
       if (!field_) startGrid();
       return attempt(carrier, membership, seeds);
-    } catch (const GridTouches&) {
+    } catch (const field::GridTouches&) {
       if (shifts_ == kMostShifts)
         throw Error(ErrorCode::kNoSolid,
                     "no grid was found that the surface does not touch; change the cell width");
@@ -87,26 +94,26 @@ void Contourer::startGrid() {
 Contour Contourer::attempt(const Carrier& carrier, const Membership& membership, const Seeds& seeds) {
   const std::span<const Triangle> beyond =
       std::span(carrier.mesh.triangles).subspan(job_.surface.triangles.size());
-  const SurfaceCrossings onRest(grid_, carrier.mesh.positions, beyond, job_.threads);
-  const CarrierCrossings crossed(*onSurface_, onRest);
+  const field::SurfaceCrossings onRest(grid_, carrier.mesh.positions, beyond, job_.threads);
+  const field::CarrierCrossings crossed(*onSurface_, onRest);
   Contour made;
-  made.ways = rimWays(grid_, carrier.mesh.positions, carrier.rim);
+  made.ways = contour::rimWays(grid_, carrier.mesh.positions, carrier.rim);
   std::vector<Corners> corners(beyond.size());
   for (std::size_t t = 0; t < beyond.size(); ++t)
     for (int k = 0; k < 3; ++k) corners[t][k] = carrier.mesh.positions[beyond[t][k]];
   forgetChanges(std::move(corners), carrier.covered);
   const auto placing = [&](const EdgePart& part) {
     const Crossing* old = recalled(part);
-    const Crossing crossing = old != nullptr ? *old : placed(part, grid_, *field_, membership);
+    const Crossing crossing = old != nullptr ? *old : contour::placed(part, grid_, *field_, membership);
     if (cut_ != nullptr && !cut_->zone.contains(crossing.at)) throw LeavesWindow();
     return crossing;
   };
-  made.crossings = followContour(grid_, rimCells(made.ways), seeds, crossed, membership, *field_, placing,
-                                 job_.context, job_.threads);
-  if (working_.isLean) returnFreedMemory();
+  made.crossings = contour::followContour(grid_, rimCells(made.ways), seeds, crossed, membership, *field_,
+                                          placing, job_.context, job_.threads);
+  if (working_.isLean) platform::returnFreedMemory();
   job_.watch.lap("field");
   job_.context.enter(Stage::kContouring);
-  made.dual = dualSurface(made.crossings, made.ways, carrier.mesh.positions, job_.threads);
+  made.dual = contour::dualSurface(made.crossings, made.ways, carrier.mesh.positions, job_.threads);
   return made;
 }
 
@@ -114,7 +121,7 @@ void Contourer::remember(std::vector<Crossing> crossings) {
   last_ = std::move(crossings);
   // Shaping left normals on the wall's crossings. Another contour must not begin with them.
   for (Crossing& c : last_)
-    if (c.beyond == Standing::kRim) c.normal = Vec3::Zero();
+    if (c.beyond == field::Standing::kRim) c.normal = Vec3::Zero();
 }
 
 // Before the first carrier there is nothing to forget.
@@ -146,4 +153,4 @@ const Crossing* Contourer::recalled(const EdgePart& part) const {
   return &*old;
 }
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

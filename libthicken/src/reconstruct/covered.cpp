@@ -5,7 +5,9 @@
 
 #include "mesh/topology.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
+
+using mesh::kNone;
 
 namespace {
 
@@ -21,7 +23,7 @@ Triangle ascending(Triangle t) {
 
 }  // namespace
 
-std::vector<std::uint8_t> coveredTriangles(const TriangleMesh& surface, const SweepResult& swept,
+std::vector<std::uint8_t> coveredTriangles(const TriangleMesh& surface, const sweep::SweepResult& swept,
                                            std::span<const std::uint8_t> keep) {
   // Merged and dropped copies leave triangles of other corners, and other places, than S's.
   std::vector<BaseTriangle> copies;
@@ -57,4 +59,4 @@ std::vector<std::uint8_t> coveredTriangles(const TriangleMesh& surface, const Sw
   return covered;
 }
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

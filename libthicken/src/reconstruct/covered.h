@@ -9,12 +9,12 @@
 
 #include "sweep/sweep.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
 
 /// Per triangle of `surface`: 1 if its copy is among the triangles of `swept` that `keep` marks. A triangle
 /// without a copy has 1 if all shell around it is kept.
 [[nodiscard]] std::vector<std::uint8_t> coveredTriangles(const TriangleMesh& surface,
-                                                         const SweepResult& swept,
+                                                         const sweep::SweepResult& swept,
                                                          std::span<const std::uint8_t> keep);
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

@@ -9,13 +9,13 @@
 #include "mesh/bounds.h"
 #include "thicken/error.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
 
 struct Cut {
   using Edge = std::array<VertexId, 2>;
   std::vector<Edge> edges;  ///< ascending; of the window's triangles, in their direction: the boundary goes
                             ///< on beyond them
-  Bounds zone;              ///< the contour that is made in the window must not leave it
+  mesh::Bounds zone;        ///< the contour that is made in the window must not leave it
 };
 
 /// Thrown where a contour would leave the zone of its window; a larger one may do.
@@ -24,4 +24,4 @@ class LeavesWindow : public Error {
   LeavesWindow() : Error(ErrorCode::kNoSolid, "the contour leaves its window") {}
 };
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

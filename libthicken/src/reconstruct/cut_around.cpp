@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace thicken {
+namespace thicken::reconstruct {
 
 void cutAround(const TriangleMesh& mesh, std::span<const TriangleId> triangles,
                std::span<const std::uint8_t> openable, int rings, std::vector<std::uint8_t>& keep) {
@@ -29,4 +29,4 @@ void cutAround(const TriangleMesh& mesh, std::span<const TriangleId> triangles,
   }
 }
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

@@ -10,7 +10,10 @@
 #include "mesh/sort_unique.h"
 #include "parallel/parallel_for.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
+
+using mesh::kNone;
+using parallel::parallelFor;
 
 namespace {
 
@@ -29,7 +32,7 @@ constexpr int kMostLifts = 4;
 
 }  // namespace
 
-DeepWalls::DeepWalls(const Job& job, const SweepResult& swept)
+DeepWalls::DeepWalls(const job::Job& job, const sweep::SweepResult& swept)
     : job_(job),
       swept_(swept),
       lifts_(swept.mesh.positions.size(), 0),
@@ -128,7 +131,8 @@ void DeepWalls::place(VertexId v) {
   const Vec3& from = job_.surface.positions[base_[v]];
   const Vec3& there = swept_.mesh.positions[v];
   const double way = (there - from).norm();
-  at_[v] = share_[v] == 0 ? there : roundToFloat(there + share_[v] * (way_[v] - way) / way * (there - from));
+  at_[v] =
+      share_[v] == 0 ? there : mesh::roundToFloat(there + share_[v] * (way_[v] - way) / way * (there - from));
 }
 
 void DeepWalls::placeAll() {
@@ -181,7 +185,7 @@ std::pair<std::vector<Triangle>, std::size_t> DeepWalls::nearWalls(std::span<con
   const exact::BoxTree tree(at_, reach, job_.threads);
   std::vector<std::uint8_t> isNear(others.size(), 0);
   parallelFor(others.size(), job_.threads, job_.context, 1024, [&](std::size_t i) {
-    Bounds own;
+    mesh::Bounds own;
     for (const VertexId v : others[i]) own.add(at_[v]);
     isNear[i] = !tree.near(own.low, own.high).empty();
   });
@@ -222,7 +226,7 @@ void DeepWalls::fit(std::span<const std::uint8_t> keep) {
     for (const TriangleId t : bad)
       for (const VertexId v : triangles[t])
         if (base_[v] != kNone && share_[v] > 0) drawn.push_back(v);
-    sortUnique(drawn);
+    mesh::sortUnique(drawn);
     for (const VertexId v : drawn) {
       share_[v] = round + 1 >= kHalvings ? 0 : share_[v] / 2;
       place(v);
@@ -233,4 +237,4 @@ void DeepWalls::fit(std::span<const std::uint8_t> keep) {
   placeAll();
 }
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

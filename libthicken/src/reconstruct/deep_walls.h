@@ -13,11 +13,11 @@
 #include "job/job.h"
 #include "reconstruct/carrier.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
 
 class DeepWalls {
  public:
-  DeepWalls(const Job& job, const SweepResult& swept);
+  DeepWalls(const job::Job& job, const sweep::SweepResult& swept);
 
   /// Places the walls' lower vertices as deep as exact tests against S, each other and the kept pieces
   /// of shell (whose own vertices stay where the sweep has them) allow. Never deeper than before.
@@ -43,8 +43,8 @@ class DeepWalls {
   void place(VertexId v);
   void placeAll();
 
-  const Job& job_;
-  const SweepResult& swept_;
+  const job::Job& job_;
+  const sweep::SweepResult& swept_;
   bool fitted_ = false;
   std::vector<VertexId> low_;                         ///< lower vertices of the walls
   std::vector<std::array<VertexId, 2>> bottomEdges_;  ///< between two of them that one wall triangle has
@@ -55,4 +55,4 @@ class DeepWalls {
   std::vector<Vec3> at_;
 };
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

@@ -9,7 +9,11 @@
 #include "mesh/topology.h"
 #include "parallel/parallel_for.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
+
+using job::Job;
+using mesh::kNone;
+using sweep::SweepResult;
 
 namespace {
 
@@ -22,13 +26,13 @@ constexpr double kUnknown = std::numeric_limits<double>::infinity();
 std::vector<double> fieldDepths(const Job& job, std::vector<double> known = {}) {
   const TriangleMesh& surface = job.surface;
   const auto normal =
-      vertexNormals(surface.positions, surface.triangles,
-                    faceNormals(surface.positions, surface.triangles, job.threads), job.threads);
+      mesh::vertexNormals(surface.positions, surface.triangles,
+                          mesh::faceNormals(surface.positions, surface.triangles, job.threads), job.threads);
   std::vector<double> depth = std::move(known);
   depth.resize(surface.positions.size(), kUnknown);
   constexpr int kSteps = 5;
   constexpr double kOwnRim = 0.9;
-  parallelFor(depth.size(), job.threads, job.context, 128, [&](std::size_t v) {
+  parallel::parallelFor(depth.size(), job.threads, job.context, 128, [&](std::size_t v) {
     if (depth[v] != kUnknown) return;
     const double r = job.thickness.at(static_cast<VertexId>(v));
     double good = 0, bad = r;
@@ -92,4 +96,4 @@ std::vector<double> depthsOf(const Job& job, const Reconstruction& made, const S
   return fieldDepths(job, std::move(depth));
 }
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

@@ -7,7 +7,9 @@
 
 #include "parallel/parallel_for.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
+
+using contour::Crossing;
 
 namespace {
 
@@ -35,11 +37,12 @@ bool secondIsBetter(const Diagonals& d) {
 
 }  // namespace
 
-void chooseDiagonals(Assembly& assembly, const DualSurface& dual, std::span<const Crossing> crossings,
-                     std::span<const Vec3> target, const RunContext& context, int threads) {
+void chooseDiagonals(Assembly& assembly, const contour::DualSurface& dual,
+                     std::span<const Crossing> crossings, std::span<const Vec3> target,
+                     const RunContext& context, int threads) {
   const std::vector<std::uint32_t>& of = assembly.crossing;
   const auto at = [&](VertexId v) -> const Vec3& { return target[v - assembly.carrierVertices]; };
-  parallelFor(of.size(), threads, context, 512, [&](std::size_t i) {
+  parallel::parallelFor(of.size(), threads, context, 512, [&](std::size_t i) {
     if (of[i] == Assembly::kStrip || !dual.isQuad(of[i]) || i == 0 || of[i - 1] != of[i]) return;
     Triangle& a = assembly.mesh.triangles[assembly.carrierTriangles + i - 1];
     Triangle& b = assembly.mesh.triangles[assembly.carrierTriangles + i];
@@ -50,4 +53,4 @@ void chooseDiagonals(Assembly& assembly, const DualSurface& dual, std::span<cons
   });
 }
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

@@ -8,11 +8,12 @@
 #include "reconstruct/assembly.h"
 #include "thicken/run_context.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
 
 /// Turns pairs of triangles so that they are good where the contour's vertices stand at `target`, which is in
 /// the assembly's order.
-void chooseDiagonals(Assembly& assembly, const DualSurface& dual, std::span<const Crossing> crossings,
-                     std::span<const Vec3> target, const RunContext& context, int threads);
+void chooseDiagonals(Assembly& assembly, const contour::DualSurface& dual,
+                     std::span<const contour::Crossing> crossings, std::span<const Vec3> target,
+                     const RunContext& context, int threads);
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

@@ -6,7 +6,9 @@
 
 #include "mesh/topology.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
+
+using mesh::kNone;
 
 void dropUnused(Reconstruction& made, std::size_t surfaceVertices) {
   TriangleMesh& mesh = made.mesh;
@@ -33,4 +35,4 @@ void dropUnused(Reconstruction& made, std::size_t surfaceVertices) {
   for (WallEnd& end : made.ends) end.vertex = to[end.vertex];
 }
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

@@ -3,9 +3,9 @@
 
 #include "reconstruct/reconstruction.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
 
 /// Drops the vertices that no triangle uses; those that are left are numbered as they come, S's first.
 void dropUnused(Reconstruction& made, std::size_t surfaceVertices);
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

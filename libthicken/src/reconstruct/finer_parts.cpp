@@ -15,7 +15,11 @@
 #include "reconstruct/loose_parts.h"
 #include "reconstruct/shell_plan.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
+
+using job::Job;
+using mesh::kNone;
+using sweep::SweepResult;
 
 namespace {
 
@@ -56,7 +60,8 @@ class Refiner {
     constexpr int kMostTimes = 5, kMostFailures = 2;
     double width = made.cell;
     for (int i = 0, failures = 0; i < kMostTimes && failures < kMostFailures; ++i) {
-      std::vector<TriangleId> beyond = shellBeyond(job_, made.mesh, made.region, *job_.options.tolerance);
+      std::vector<TriangleId> beyond =
+          measure::shellBeyond(job_, made.mesh, made.region, *job_.options.tolerance);
       job_.watch.lap("tolerance");
       if (beyond.empty()) break;
       // A part that cannot be joined in cells of one width may be joined in finer ones.
@@ -74,7 +79,7 @@ class Refiner {
   // more at first, and little in finer cells.
   [[nodiscard]] bool leavesLittle(const Reconstruction& made) const {
     constexpr double kLittle = 0.05;
-    return made.leftArea < kLittle * areaOf(job_.surface);
+    return made.leftArea < kLittle * measure::areaOf(job_.surface);
   }
 
   static std::vector<TriangleId> leftOf(const Reconstruction& made) {
@@ -98,7 +103,7 @@ class Refiner {
     swept.up.assign(swept.base.size(), Vec3::Zero());
     for (const WallEnd& end : made.ends) swept.up[end.vertex] = end.up;
     swept.distance.resize(swept.base.size());
-    parallelFor(swept.base.size(), job_.threads, job_.context, 1024, [&](std::size_t v) {
+    parallel::parallelFor(swept.base.size(), job_.threads, job_.context, 1024, [&](std::size_t v) {
       if (v >= job_.surface.positions.size() && swept.base[v] != kNone)
         swept.distance[v] = job_.tree.distance(swept.mesh.positions[v]);
     });
@@ -157,4 +162,4 @@ Reconstruction refined(const Job& job, Reconstruction made, const AllowsCells& i
   return job.options.tolerance ? refiner.toTolerance(std::move(made)) : made;
 }
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

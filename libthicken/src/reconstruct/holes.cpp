@@ -11,7 +11,11 @@
 #include "reconstruct/cut_around.h"
 #include "reconstruct/strip_region.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
+
+using mesh::kNone;
+using mesh::sortUnique;
+using sweep::SweepResult;
 
 namespace {
 
@@ -98,7 +102,7 @@ std::vector<std::uint8_t> openableOf(const Assembly& assembly, const ContourTask
   return is;
 }
 
-std::optional<Holes> holesOf(const Job& job, const SweepResult& swept, const Attempt& attempt,
+std::optional<Holes> holesOf(const job::Job& job, const SweepResult& swept, const Attempt& attempt,
                              const ContourTask& task, std::span<const TriangleId> meeting) {
   Assembly made = attempt.assembly();
   labelStrip(made, job.threads);
@@ -124,7 +128,7 @@ std::optional<Holes> holesOf(const Job& job, const SweepResult& swept, const Att
   carried.mesh = std::move(made.mesh);
   carried.region = std::move(made.region);
   // Where triangles meet, edges are not looked at before.
-  std::vector<TriangleId> bad = attempt.crowdedTriangles();
+  std::vector<TriangleId> bad = attempt.nonManifoldTriangles();
   bad.insert(bad.end(), meeting.begin(), meeting.end());
   sortUnique(bad);
   if (!Cutter(holes, attempt.carrier().mesh.positions, job.context, job.threads).cut(bad))
@@ -132,4 +136,4 @@ std::optional<Holes> holesOf(const Job& job, const SweepResult& swept, const Att
   return holes;
 }
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

@@ -9,13 +9,17 @@
 #include "reconstruct/cells.h"
 #include "thicken/error.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
+
+using job::Job;
+using job::Stopwatch;
+using mesh::Bounds;
 
 namespace {
 
 // How many times as far as usual windows reach that are too narrow. In the end, where they are not parts of
 // an attempt, one is all: no grid has so many cells in a row.
-constexpr double kWider = 16, kAll = UniformGrid::kMostCells;
+constexpr double kWider = 16, kAll = field::UniformGrid::kMostCells;
 
 struct Outcome {
   std::optional<Reconstruction> made;
@@ -74,7 +78,7 @@ class Closer {
     }
     // A working set is for one contour at a time where memory is limited.
     const bool beside = windows_.size() > 1 && job_.context.memoryLimit() == 0;
-    parallelFor(windows_.size(), beside ? job_.threads : 1, job_.context, 1, [&](std::size_t i) {
+    parallel::parallelFor(windows_.size(), beside ? job_.threads : 1, job_.context, 1, [&](std::size_t i) {
       Stopwatch own;
       if (!outcomes_[i].isKnown) outcomes_[i] = close(windows_[i], beside ? 1 : job_.threads, own);
     });
@@ -145,4 +149,4 @@ bool fewCells(double width, double area) {
   return area <= kMostCells * width * width;
 }
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

@@ -11,7 +11,7 @@
 #include "reconstruct/contour_task.h"
 #include "reconstruct/window.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
 
 /// How the holes of a boundary are to be closed.
 struct WindowTask {
@@ -23,7 +23,7 @@ struct WindowTask {
   std::size_t attempts = 0;          ///< that each window may cost, where there is none; 0: any
   /// Triangles that met in a zone with wider cells; empty: none did. Where it is given, windows are closed
   /// one after the other.
-  std::function<std::size_t(const Bounds&)> meetingIn{};
+  std::function<std::size_t(const mesh::Bounds&)> meetingIn{};
   bool stopsAtFirst = false;  ///< whether the first that cannot be closed ends that
   std::size_t held = 0;       ///< bytes beside a window
   bool anyArea = false;       ///< whether a window may have cells however many
@@ -33,16 +33,16 @@ struct WindowTask {
 struct InWindows {
   std::vector<Window> windows;
   std::vector<std::optional<Reconstruction>> made;  ///< per window
-  std::vector<Bounds> stuck;                        ///< zones where nothing could be
+  std::vector<mesh::Bounds> stuck;                  ///< zones where nothing could be
 };
 
 /// Closes each hole in a window around it; in a wider one if the contour leaves the usual window. A hole
 /// stays open if its cells are too many for the grid's keys, for the memory limit or for the allowance, or if
 /// S touches every grid that is tried. The result does not depend on the number of threads. Throws
 /// kCancelled.
-[[nodiscard]] InWindows completeInWindows(const Job& job, const Holes& holes, const WindowTask& task);
+[[nodiscard]] InWindows completeInWindows(const job::Job& job, const Holes& holes, const WindowTask& task);
 
 /// Whether cells of `width` mm are few enough for `area` mm² to be made again in them.
 [[nodiscard]] bool fewCells(double width, double area);
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

@@ -8,7 +8,11 @@
 #include "mesh/topology.h"
 #include "reconstruct/drop_unused.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
+
+using checking::misplacedShells;
+using mesh::Components;
+using mesh::componentsOf;
 
 namespace {
 
@@ -54,7 +58,7 @@ void dropSpecks(Assembly& assembly, double width, int threads) {
   const Components parts = componentsOf(mesh.positions.size(), mesh.triangles, threads);
   const std::vector<std::uint8_t> hangs = hangingOnCarrier(assembly, parts);
   if (allOf(hangs)) return;
-  std::vector<Bounds> bounds(parts.count);
+  std::vector<mesh::Bounds> bounds(parts.count);
   for (std::size_t t = assembly.carrierTriangles; t < parts.ofTriangle.size(); ++t) {
     if (hangs[parts.ofTriangle[t]]) continue;
     for (const VertexId v : mesh.triangles[t]) bounds[parts.ofTriangle[t]].add(mesh.positions[v]);
@@ -88,4 +92,4 @@ void dropMisplaced(Reconstruction& made, std::size_t surfaceVertices, int thread
   dropUnused(made, surfaceVertices);
 }
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

@@ -7,7 +7,7 @@
 #include "reconstruct/reconstruction.h"
 #include "thicken/run_context.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
 
 /// Removes pieces that are but a few cells large: islands and cavities where the field is finer than the
 /// grid. Every part of the solid hangs together with S.
@@ -19,4 +19,4 @@ void dropMisplaced(Assembly& assembly, int threads);
 /// The same of what was put together; `surfaceVertices`: of S, which come first.
 void dropMisplaced(Reconstruction& made, std::size_t surfaceVertices, int threads);
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

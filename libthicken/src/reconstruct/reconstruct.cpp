@@ -13,7 +13,10 @@
 #include "sweep/sweep.h"
 #include "sweep/sweep_walls.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
+
+using job::Job;
+using sweep::SweepResult;
 
 namespace {
 
@@ -33,7 +36,7 @@ AllowsCells finerCells(const Job& job) {
 
 // The task of contouring all of the shell.
 WholeShell wholeShell(const Job& job) {
-  const double area = areaOf(job.surface);
+  const double area = measure::areaOf(job.surface);
   return {area, shellShadows(job), cellWidth(job, area)};
 }
 
@@ -54,7 +57,7 @@ Reconstruction wholeContour(const Job& job, const std::function<const SweepResul
     return complete(job, walls, std::move(task));
   };
   // Most surfaces need no more of the sweep than its walls.
-  if (const auto walls = sweepWalls(job))
+  if (const auto walls = sweep::sweepWalls(job))
     if (auto made = below(*walls)) return refined(job, *std::move(made), finerCells(job));
   const SweepResult& all = swept();
   return refined(job, *below(all), finerCells(job));
@@ -64,7 +67,7 @@ Reconstruction wholeContour(const Job& job, const std::function<const SweepResul
 
 Reconstruction reconstruct(const Job& job) {
   SweepResult swept;
-  const auto sweepAll = [&]() -> const SweepResult& { return swept = sweep(job, Polish::kNo); };
+  const auto sweepAll = [&]() -> const SweepResult& { return swept = sweep::sweep(job, sweep::Polish::kNo); };
   return wholeContour(job, sweepAll, wholeShell(job));
 }
 
@@ -106,4 +109,4 @@ std::optional<Reconstruction> deepen(const Job& job, const SweepResult& swept) {
   return refined(job, std::move(made), finerCells(job));
 }
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

@@ -10,14 +10,14 @@
 #include "reconstruct/reconstruction.h"
 #include "sweep/sweep.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
 
 /// Reconstructs on the negative side of S. Throws kNoSolid with the place, kMemoryLimit, kCancelled.
-[[nodiscard]] Reconstruction reconstruct(const Job& job);
+[[nodiscard]] Reconstruction reconstruct(const job::Job& job);
 
 /// Replaces the shell of `swept` (to the negative side) by the contour of the field where it is not at the
 /// thickness: all of it, or its worst places where that would take too many cells. Nothing where there is no
 /// such place. Throws as reconstruct() does.
-[[nodiscard]] std::optional<Reconstruction> deepen(const Job& job, const SweepResult& swept);
+[[nodiscard]] std::optional<Reconstruction> deepen(const job::Job& job, const sweep::SweepResult& swept);
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

@@ -10,7 +10,7 @@
 #include "thicken/mesh.h"
 #include "thicken/result.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
 
 /// The end of a wall.
 struct WallEnd {
@@ -37,4 +37,4 @@ struct Reconstruction {
   std::vector<VertexId> origin;  ///< of a window, per vertex: of the boundary that was carried, or kNone
 };
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

@@ -11,7 +11,11 @@
 #include "mesh/parallel_sort.h"
 #include "mesh/sort_unique.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
+
+using mesh::roundToFloat;
+using mesh::sortUnique;
+using parallel::parallelFor;
 
 namespace {
 
@@ -44,7 +48,7 @@ class Settler {
         start_(assembly.mesh.positions.begin() + static_cast<std::ptrdiff_t>(assembly.carrierVertices),
                assembly.mesh.positions.end()),
         share_(start_.size(), 1),
-        around_(vertexTriangles(assembly.mesh.positions.size(), assembly.mesh.triangles, threads)) {
+        around_(mesh::vertexTriangles(assembly.mesh.positions.size(), assembly.mesh.triangles, threads)) {
     parallelFor(start_.size(), threads, context, kGrain,
                 [&](std::size_t i) { position(i) = roundToFloat(target[i]); });
     clear_ = proved.among(assembly.mesh, threads);
@@ -216,7 +220,7 @@ class Settler {
   int threads_;
   std::vector<Vec3> start_;
   std::vector<double> share_;
-  VertexTriangles around_;
+  mesh::VertexTriangles around_;
   std::vector<std::uint8_t> clear_;  ///< of each other; 0 for what has moved
   std::vector<exact::TrianglePair> pairs_;
   Ids flat_;
@@ -246,7 +250,7 @@ void ProvedTriangles::replace(const TriangleMesh& mesh, std::span<const Triangle
       hashes_[kept++] = hashes_[t];
   }
   hashes_.resize(kept);
-  parallelSort(hashes_, std::less<>(), threads);
+  mesh::parallelSort(hashes_, std::less<>(), threads);
 }
 
 std::vector<TriangleId> settle(Assembly& assembly, std::span<const Vec3> target, std::span<const Vec3> up,
@@ -255,4 +259,4 @@ std::vector<TriangleId> settle(Assembly& assembly, std::span<const Vec3> target,
   return Settler(assembly, target, up, step, proved, most, context, threads).run();
 }
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

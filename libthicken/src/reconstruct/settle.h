@@ -6,7 +6,7 @@
 #include "exact/pair_search.h"
 #include "reconstruct/assembly.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
 
 /// Triangles that an earlier attempt proved to be clear of each other, by their corners.
 class ProvedTriangles {
@@ -30,4 +30,4 @@ class ProvedTriangles {
                                              const ProvedTriangles& proved, std::size_t most,
                                              const RunContext& context, int threads);
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

@@ -8,7 +8,13 @@
 
 #include "parallel/parallel_for.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
+
+using contour::Crossing;
+using contour::DualSurface;
+using field::Standing;
+using mesh::kNone;
+using parallel::parallelFor;
 
 namespace {
 
@@ -139,8 +145,8 @@ class Shaper {
 }  // namespace
 
 std::vector<Vec3> shapedPositions(const Assembly& assembly, const DualSurface& dual,
-                                  std::vector<Crossing>& crossings, const Membership& membership, double cell,
-                                  int rounds, const RunContext& context, int threads) {
+                                  std::vector<Crossing>& crossings, const field::Membership& membership,
+                                  double cell, int rounds, const RunContext& context, int threads) {
   Shaper shaper(assembly, dual, crossings, cell, context, threads);
   shaper.run(rounds);
   std::vector<Vec3> at = std::move(shaper.positions());
@@ -159,4 +165,4 @@ std::vector<Vec3> shapedPositions(const Assembly& assembly, const DualSurface& d
   return at;
 }
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

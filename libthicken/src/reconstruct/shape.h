@@ -8,13 +8,13 @@
 #include "field/membership.h"
 #include "reconstruct/assembly.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
 
 /// Target of every vertex of the contour, in the assembly's order. `crossings` get the wall's smoothed
 /// normals. `rounds` may be 0: the means of the crossings.
-[[nodiscard]] std::vector<Vec3> shapedPositions(const Assembly& assembly, const DualSurface& dual,
-                                                std::vector<Crossing>& crossings,
-                                                const Membership& membership, double cell, int rounds,
+[[nodiscard]] std::vector<Vec3> shapedPositions(const Assembly& assembly, const contour::DualSurface& dual,
+                                                std::vector<contour::Crossing>& crossings,
+                                                const field::Membership& membership, double cell, int rounds,
                                                 const RunContext& context, int threads);
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

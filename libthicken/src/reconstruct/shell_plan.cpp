@@ -16,7 +16,12 @@
 #include "parallel/parallel_for.h"
 #include "reconstruct/cells.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
+
+using bvh::SpatialOrder;
+using job::Job;
+using measure::areaOf;
+using sweep::SweepResult;
 
 namespace {
 
@@ -78,9 +83,9 @@ std::vector<double> errorsAtVertices(const Job& job, const SweepResult& swept, E
 std::vector<double> shellErrors(const Job& job, const SweepResult& swept) {
   const TriangleMesh& surface = job.surface;
   const int threads = job.threads;
-  const auto normal = faceNormals(surface.positions, surface.triangles, threads);
-  const auto around = vertexTriangles(surface.positions.size(), surface.triangles, threads);
-  const OffsetError error(job, normal, around, joinOf(job.options));
+  const auto normal = mesh::faceNormals(surface.positions, surface.triangles, threads);
+  const auto around = mesh::vertexTriangles(surface.positions.size(), surface.triangles, threads);
+  const measure::OffsetError error(job, normal, around, measure::joinOf(job.options));
   const std::vector<Vec3>& p = swept.mesh.positions;
   const double enough = errorToLeave(job);
   // What is nearest to the rim is wall, which may lean (Remark 4).
@@ -108,7 +113,7 @@ std::vector<double> shellErrors(const Job& job, const SweepResult& swept) {
   }
   const auto sample = [&](TriangleId t, std::size_t k) {
     const auto& [a, b, c] = swept.mesh.triangles[t];
-    const auto& w = kShellSamples[k];
+    const auto& w = measure::kShellSamples[k];
     return Vec3(w[0] * p[a] + w[1] * p[b] + w[2] * p[c]);
   };
   SpatialOrder(near, job.tree, threads)
@@ -123,7 +128,8 @@ std::vector<double> shellErrors(const Job& job, const SweepResult& swept) {
             const Triangle& t = swept.mesh.triangles[large[i]];
             const double corner = std::max({atVertex[t[0]], atVertex[t[1]], atVertex[t[2]]});
             double& own = most[large[i]] = std::max(errorOf(at, c), corner / 2);
-            for (std::size_t k = 1; k < kMostShellSamples && 2 * own > enough && own <= enough; ++k) {
+            for (std::size_t k = 1; k < measure::kMostShellSamples && 2 * own > enough && own <= enough;
+                 ++k) {
               const Vec3 more = sample(large[i], k);
               own = std::max(own, errorOf(more, *job.tree.closest(more)));
             }
@@ -163,7 +169,7 @@ double affordableError(const TriangleMesh& mesh, std::span<const double> errors,
 // have much of that.
 double cellsOf(const TriangleMesh& mesh, const ShellPlan& plan) {
   if (plan.keepsAll()) return 0;
-  const HalfEdges edges(mesh.positions.size(), mesh.triangles, plan.keep);
+  const mesh::HalfEdges edges(mesh.positions.size(), mesh.triangles, plan.keep);
   double rim = 0;
   edges.forEachEdge([&](VertexId a, VertexId b, auto forth, auto back) {
     if (forth.size() + back.size() == 1) rim += (mesh.positions[a] - mesh.positions[b]).norm();
@@ -209,4 +215,4 @@ ShellPlan planShell(const Job& job, const SweepResult& swept) {
   return plan;
 }
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

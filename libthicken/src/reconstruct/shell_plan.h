@@ -11,7 +11,7 @@
 
 #include "sweep/sweep.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
 
 struct ShellPlan {
   std::vector<std::uint8_t> keep;  ///< per triangle of the sweep
@@ -20,14 +20,14 @@ struct ShellPlan {
   [[nodiscard]] bool keepsAll() const { return std::find(keep.begin(), keep.end(), 0) == keep.end(); }
 };
 
-[[nodiscard]] ShellPlan planShell(const Job& job, const SweepResult& swept);
+[[nodiscard]] ShellPlan planShell(const job::Job& job, const sweep::SweepResult& swept);
 
 /// A sweep is of no use beside a contour if its shell is short of the thickness on more than this share of
 /// S's area. Half, if the contour of the whole shell has fewer triangles than S and there is room for it;
 /// else all.
-[[nodiscard]] double mostShort(const Job& job);
+[[nodiscard]] double mostShort(const job::Job& job);
 
 /// Area of the shell of `swept` that `keep` leaves to the contour, mm².
-[[nodiscard]] double openArea(const SweepResult& swept, std::span<const std::uint8_t> keep);
+[[nodiscard]] double openArea(const sweep::SweepResult& swept, std::span<const std::uint8_t> keep);
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

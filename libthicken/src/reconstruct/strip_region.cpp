@@ -3,7 +3,10 @@
 
 #include <vector>
 
-namespace thicken {
+namespace thicken::reconstruct {
+
+using mesh::HalfEdge;
+using mesh::HalfEdges;
 
 HalfEdges edgesAtStrip(const Assembly& assembly, int threads) {
   const std::vector<Triangle>& triangles = assembly.mesh.triangles;
@@ -44,4 +47,4 @@ void labelStrip(Assembly& assembly, int threads) {
     }
 }
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

@@ -7,13 +7,13 @@
 #include "mesh/half_edges.h"
 #include "reconstruct/assembly.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
 
 /// The edges of the triangles that share two vertices or more with the strip, its own among them.
-[[nodiscard]] HalfEdges edgesAtStrip(const Assembly& assembly, int threads);
+[[nodiscard]] mesh::HalfEdges edgesAtStrip(const Assembly& assembly, int threads);
 
 /// Gives each triangle of the strip the region of the contour's triangle across its edge. One without an edge
 /// at the contour is wall if the strip beside it is.
 void labelStrip(Assembly& assembly, int threads);
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

@@ -14,7 +14,13 @@
 #include "mesh/union_find.h"
 #include "reconstruct/drop_unused.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
+
+using measure::areaOf;
+using mesh::Bounds;
+using mesh::kNone;
+using mesh::sortUnique;
+using sweep::SweepResult;
 
 namespace {
 
@@ -34,7 +40,7 @@ void joinOverlapping(std::vector<Bounds>& boxes) {
     std::sort(boxes.begin(), boxes.end(), [](const Bounds& a, const Bounds& b) {
       return std::lexicographical_compare(a.low.begin(), a.low.end(), b.low.begin(), b.low.end());
     });
-    UnionFind same(boxes.size());
+    mesh::UnionFind same(boxes.size());
     for (std::uint32_t i = 0; i < boxes.size(); ++i)
       for (std::uint32_t j = i + 1; j < boxes.size() && boxes[j].low.x() <= boxes[i].high.x(); ++j)
         if (boxes[i].overlaps(boxes[j])) same.join(i, j);
@@ -53,7 +59,7 @@ std::vector<Bounds> zonesOf(const Holes& holes, double width, const TooNarrow& n
   for (TriangleId t = 0; t < holes.keep.size(); ++t)
     if (!holes.keep[t]) open.push_back(mesh.triangles[t]);
   if (open.empty()) return {};
-  const Components pieces = componentsOf(mesh.positions.size(), open, threads);
+  const mesh::Components pieces = mesh::componentsOf(mesh.positions.size(), open, threads);
   std::vector<Bounds> zones(pieces.count);
   for (std::size_t t = 0; t < open.size(); ++t)
     for (const VertexId v : open[t]) {
@@ -62,7 +68,7 @@ std::vector<Bounds> zonesOf(const Holes& holes, double width, const TooNarrow& n
       if (const VertexId base = holes.carried.base[v]; base != kNone) zone.add(mesh.positions[base]);
     }
   for (Bounds& zone : zones)
-    zone = grown(zone, (overlapsAny(narrow.zones, zone) ? narrow.times : 1) * kMargin * width);
+    zone = grown(zone, (mesh::overlapsAny(narrow.zones, zone) ? narrow.times : 1) * kMargin * width);
   joinOverlapping(zones);
   return zones;
 }
@@ -77,7 +83,7 @@ class WindowMaker {
         beyondContour_(beyondContour),
         reach_(reach),
         boxes_(mesh_.positions, mesh_.triangles, threads, {}, holes.carried.order),
-        around_(vertexTriangles(mesh_.positions.size(), mesh_.triangles, threads)),
+        around_(mesh::vertexTriangles(mesh_.positions.size(), mesh_.triangles, threads)),
         number_(mesh_.positions.size(), kNone),
         in_(mesh_.triangles.size(), 0) {}
 
@@ -122,7 +128,7 @@ class WindowMaker {
   }
 
   // Whether what is kept in the window has more than one fan at a vertex.
-  [[nodiscard]] bool isPinched(VertexId v) const {
+  [[nodiscard]] bool isNonManifold(VertexId v) const {
     int fans = 0;
     for (const TriangleId t : around_.of(v)) {
       if (!isKeptWithin(t)) continue;
@@ -152,7 +158,7 @@ class WindowMaker {
     for (listNew(); !open.empty(); listNew()) {
       sortUnique(open);
       for (const VertexId v : std::exchange(open, {}))
-        if (lacksSurface(v) || isPinched(v))
+        if (lacksSurface(v) || isNonManifold(v))
           for (const TriangleId t : around_.of(v)) add(t, window);
     }
     std::sort(window.source.begin(), window.source.end());
@@ -196,7 +202,7 @@ class WindowMaker {
     SweepResult& part = window.part.carried;
     const std::vector<Triangle>& triangles = part.mesh.triangles;
     window.fixed.assign(part.mesh.positions.size(), 0);
-    const HalfEdges edges(part.mesh.positions.size(), triangles);
+    const mesh::HalfEdges edges(part.mesh.positions.size(), triangles);
     for (TriangleId t = 0; t < triangles.size(); ++t) {
       if (!window.part.keep[t]) continue;
       for (int k = 0; k < 3; ++k) {
@@ -223,7 +229,7 @@ class WindowMaker {
   const TriangleMesh& mesh_;
   double beyondContour_, reach_;
   exact::BoxTree boxes_;
-  VertexTriangles around_;
+  mesh::VertexTriangles around_;
   std::vector<VertexId> number_;
   std::vector<std::uint8_t> in_;
 };
@@ -367,12 +373,13 @@ class Joiner {
 
 }  // namespace
 
-std::vector<Window> windowsOf(const Job& job, const Holes& holes, double width, const TooNarrow& narrow) {
+std::vector<Window> windowsOf(const job::Job& job, const Holes& holes, double width,
+                              const TooNarrow& narrow) {
   const std::vector<Bounds> zones = zonesOf(holes, width, narrow, job.threads);
   std::vector<Window> windows;
   if (zones.empty()) return windows;
   // S where it is in reach of the field, and there its copies, which a mitre may put twice as far away.
-  const double reach = (1 + kMitreLimit) * job.thickness.most() + kBeyondContour * width;
+  const double reach = (1 + measure::kMitreLimit) * job.thickness.most() + kBeyondContour * width;
   WindowMaker maker(job.surface, holes, kBeyondContour * width, reach, job.threads);
   for (const Bounds& zone : zones) windows.push_back(maker.around(zone));
   return windows;
@@ -410,4 +417,4 @@ Reconstruction withWindows(const TriangleMesh& surface, const Holes& holes, std:
   return joiner.take();
 }
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

@@ -15,11 +15,11 @@
 #include "reconstruct/reconstruction.h"
 #include "sweep/sweep.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
 
 /// A boundary with holes.
 struct Holes {
-  SweepResult carried;                 ///< the boundary, with what is cut out of it
+  sweep::SweepResult carried;          ///< the boundary, with what is cut out of it
   std::vector<std::uint8_t> keep;      ///< per triangle of it: outside of the holes
   std::vector<std::uint8_t> openable;  ///< per triangle: may be cut out
   std::vector<std::uint8_t> left;      ///< per triangle: of the sweep's shell, kept for want of better
@@ -28,7 +28,7 @@ struct Holes {
 struct Window {
   TriangleMesh surface;  ///< the part of S
   Holes part;            ///< its vertices and triangles first
-  Bounds zone;           ///< nothing beyond is changed
+  mesh::Bounds zone;     ///< nothing beyond is changed
   Cut cut;
   double area = 0;                  ///< of what is open, mm²
   std::vector<TriangleId> source;   ///< per triangle of the window: the boundary's; ascending
@@ -38,12 +38,12 @@ struct Window {
 
 /// Zones of windows that were too narrow: a contour left them. Windows there reach `times` as far as usual.
 struct TooNarrow {
-  std::span<const Bounds> zones;
+  std::span<const mesh::Bounds> zones;
   double times = 1;
 };
 
 /// Windows whose zones are disjoint, for contours with cells of `width` mm.
-[[nodiscard]] std::vector<Window> windowsOf(const Job& job, const Holes& holes, double width,
+[[nodiscard]] std::vector<Window> windowsOf(const job::Job& job, const Holes& holes, double width,
                                             const TooNarrow& narrow = {});
 
 /// Whether all vertices that are new in a window, or moved, lie in its zone.
@@ -56,4 +56,4 @@ struct TooNarrow {
                                          std::span<const Window> windows,
                                          std::span<std::optional<Reconstruction>> made);
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

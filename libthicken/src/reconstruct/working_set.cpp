@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace thicken {
+namespace thicken::reconstruct {
 
 namespace {
 
@@ -46,4 +46,4 @@ std::size_t auditedAtATime(std::size_t triangles, std::size_t held, const RunCon
   return std::max(kLeastTriangles, roomFor(kSearched, held + kAudited * triangles, limit));
 }
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

@@ -12,10 +12,10 @@
 #include "field/node_field.h"
 #include "thicken/run_context.h"
 
-namespace thicken {
+namespace thicken::reconstruct {
 
 struct WorkingSet {
-  std::size_t nodes = NodeField::kAny;              ///< of the field that are known at a time
+  std::size_t nodes = field::NodeField::kAny;       ///< of the field that are known at a time
   std::size_t triangles = exact::PairSearch::kAll;  ///< that are searched for meetings at a time
   bool isLean = false;                              ///< nothing is kept for another attempt
 };
@@ -31,4 +31,4 @@ struct WorkingSet {
 /// Triangles of a solid of so many that its audit can search at a time beside `held` bytes.
 [[nodiscard]] std::size_t auditedAtATime(std::size_t triangles, std::size_t held, const RunContext& context);
 
-}  // namespace thicken
+}  // namespace thicken::reconstruct

@@ -19,7 +19,7 @@ void smoothBorders(Workpiece& piece, double most) {
   const std::size_t count = piece.mesh.triangles.size();
   std::vector<std::uint8_t> known(count);
   for (TriangleId t = 0; t < count; ++t) known[t] = piece.present[t] != 0 || leavesAHole(piece.reason[t]);
-  const HalfEdges edges(piece.mesh.positions.size(), piece.mesh.triangles, known);
+  const mesh::HalfEdges edges(piece.mesh.positions.size(), piece.mesh.triangles, known);
   for (int round = 0; round < kRounds; ++round) {
     std::vector<std::pair<double, TriangleId>> teeth;
     for (TriangleId t = 0; t < count; ++t) {
@@ -29,7 +29,7 @@ void smoothBorders(Workpiece& piece, double most) {
       for (int k = 0; k < 3; ++k) {
         bool kept = false, gone = false;
         for (const auto& uses : {edges.uses(c[k], c[(k + 1) % 3]), edges.uses(c[(k + 1) % 3], c[k])})
-          for (const HalfEdge& e : uses)
+          for (const mesh::HalfEdge& e : uses)
             if (e.triangle() != t) (piece.present[e.triangle()] != 0 ? kept : gone) = true;
         holes += gone && !kept;
       }

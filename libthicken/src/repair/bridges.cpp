@@ -18,6 +18,11 @@
 #include "repair/sense.h"
 
 namespace thicken::repairing {
+
+using mesh::kNone;
+using mesh::RimEdge;
+using mesh::toSegment;
+
 namespace {
 
 constexpr double kLong = 3;      // gaps: the least length of a strip
@@ -134,7 +139,7 @@ class Bridging {
   [[nodiscard]] bool facesAcross(Stop a, std::uint32_t e) const {
     if (a == e || a == next(e)) return false;
     const Vec3 &p = at_[rim_.edges[e].from], &q = at_[rim_.edges[e].to];
-    const Vec3 across = (point(a) - (p + shareOfSegment(point(a), p, q) * (q - p))).normalized();
+    const Vec3 across = (point(a) - (p + mesh::shareOfSegment(point(a), p, q) * (q - p))).normalized();
     return inward(e).dot(across) < -kFolded &&
            std::min(inward(a).dot(-across), inward(prev(a)).dot(-across)) < -kFolded;
   }
@@ -277,8 +282,8 @@ class Bridging {
   Workpiece& piece_;
   const std::vector<Vec3>& at_;
   double distance_;
-  Rim rim_;
-  HalfEdges edges_;
+  mesh::Rim rim_;
+  mesh::HalfEdges edges_;
   Additions additions_;
   std::vector<std::uint8_t> used_;    // per rim edge: a strip is there
   std::vector<std::uint8_t> failed_;  // per rim edge: a strip along it was given up; another would be, too
@@ -286,7 +291,7 @@ class Bridging {
   std::vector<std::uint32_t> begin_, end_;          // per rim edge: those of its loop
   std::vector<double> way_;                         // mm along all rims up to an edge
   std::vector<std::uint32_t> partOf_;               // per triangle
-  UnionFind joined_;                                // parts that strips join
+  mesh::UnionFind joined_;                          // parts that strips join
   std::vector<std::uint8_t> turned_;  // per part: of the other sense than the first of those joined
 };
 

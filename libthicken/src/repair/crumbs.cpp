@@ -6,9 +6,11 @@
 
 namespace thicken::repairing {
 
+using mesh::kNone;
+
 std::vector<std::uint32_t> partsOfPiece(const Workpiece& piece) {
   const auto& triangles = piece.mesh.triangles;
-  UnionFind parts(triangles.size());
+  mesh::UnionFind parts(triangles.size());
   std::vector<TriangleId> first(piece.mesh.positions.size(), kNone);
   for (TriangleId t = 0; t < triangles.size(); ++t) {
     if (piece.present[t] == 0) continue;

@@ -11,6 +11,8 @@
 
 namespace thicken::repairing {
 
+using mesh::VertexTriangles;
+
 std::vector<std::vector<TriangleId>> fansAt(const Workpiece& piece, const VertexTriangles& around, VertexId v,
                                             std::span<const std::uint8_t> lost) {
   struct Spoke {
@@ -30,7 +32,7 @@ std::vector<std::vector<TriangleId>> fansAt(const Workpiece& piece, const Vertex
     triangles.push_back(t);
   }
   std::sort(spokes.begin(), spokes.end(), [](const Spoke& a, const Spoke& b) { return a.end < b.end; });
-  UnionFind groups(triangles.size());
+  mesh::UnionFind groups(triangles.size());
   for (std::size_t i = 1; i < spokes.size(); ++i)
     if (spokes[i].end == spokes[i - 1].end) groups.join(spokes[i].index, spokes[i - 1].index);
   std::vector<std::vector<TriangleId>> fans;
@@ -69,7 +71,7 @@ void giveUpNonManifold(const Workpiece& piece, const VertexTriangles& around, st
 bool cutNonManifoldVertices(Workpiece& piece) {
   const std::size_t slots = 3 * piece.mesh.triangles.size();
   GivenUp given{std::vector<std::uint8_t>(slots, 0), std::vector<std::uint8_t>(slots, 0)};
-  const VertexTriangles around = vertexTriangles(piece.mesh.positions.size(), piece.mesh.triangles);
+  const VertexTriangles around = mesh::vertexTriangles(piece.mesh.positions.size(), piece.mesh.triangles);
   giveUpNonManifold(piece, around, sheetsOf(piece).areaAt, given);
   const bool any =
       std::any_of(given.corner.begin(), given.corner.end(), [](std::uint8_t c) { return c != 0; });

@@ -16,19 +16,19 @@ namespace thicken::repairing {
 /// The triangles at a vertex that are present, in groups: those that share an edge at it. Edges that
 /// `lost` marks (GivenUp::edge; empty: none) are shared with nobody.
 [[nodiscard]] std::vector<std::vector<TriangleId>> fansAt(const Workpiece& piece,
-                                                          const VertexTriangles& around, VertexId v,
+                                                          const mesh::VertexTriangles& around, VertexId v,
                                                           std::span<const std::uint8_t> lost = {});
 
 /// At each vertex of several fans all but one give it up: the one of the sheet with the largest area
 /// stays (`areaAt`, per triangle), and of these the one with the largest area itself.
-void giveUpNonManifold(const Workpiece& piece, const VertexTriangles& around, std::span<const double> areaAt,
-                       GivenUp& given);
+void giveUpNonManifold(const Workpiece& piece, const mesh::VertexTriangles& around,
+                       std::span<const double> areaAt, GivenUp& given);
 
 /// Cuts parts back that touch others in a point only. Returns whether there were any.
 bool cutNonManifoldVertices(Workpiece& piece);
 
 /// At each vertex of several fans of triangles all but the one with the largest area are removed,
 /// until no such vertex is left.
-void openNonManifoldVertices(Workpiece& piece, const VertexTriangles& around);
+void openNonManifoldVertices(Workpiece& piece, const mesh::VertexTriangles& around);
 
 }  // namespace thicken::repairing

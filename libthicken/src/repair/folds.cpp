@@ -12,6 +12,9 @@
 #include "thicken/check.h"
 
 namespace thicken::repairing {
+
+using mesh::VertexTriangles;
+
 namespace {
 
 constexpr int kMostTrials = 8;
@@ -131,7 +134,7 @@ RepairResult FoldOpener::open(const RepairResult& before, std::span<const Vertex
                               const RunContext& context, int threads) {
   Workpiece piece(before.mesh);
   piece.origin = before.origin;
-  const VertexTriangles around = vertexTriangles(piece.mesh.positions.size(), piece.mesh.triangles);
+  const VertexTriangles around = mesh::vertexTriangles(piece.mesh.positions.size(), piece.mesh.triangles);
   std::vector<VertexId> stuck(vertices.begin(), vertices.end());
   const bool first = named_.empty();
   for (int trial = 0; !stuck.empty() && trial < kMostTrials; ++trial) {

@@ -39,12 +39,13 @@ class FoldOpener {
   using Place = std::array<double, 3>;
 
   // How often this vertex or one beside it was named before.
-  [[nodiscard]] int timesNamed(const TriangleMesh& mesh, const VertexTriangles& around, VertexId v) const;
-  void removeAt(Workpiece& piece, const VertexTriangles& around, std::span<const VertexId> vertices);
-  [[nodiscard]] std::vector<VertexId> stuckNear(const Workpiece& piece, const VertexTriangles& around,
+  [[nodiscard]] int timesNamed(const TriangleMesh& mesh, const mesh::VertexTriangles& around,
+                               VertexId v) const;
+  void removeAt(Workpiece& piece, const mesh::VertexTriangles& around, std::span<const VertexId> vertices);
+  [[nodiscard]] std::vector<VertexId> stuckNear(const Workpiece& piece, const mesh::VertexTriangles& around,
                                                 std::span<const VertexId> seeds) const;
   // The largest of the triangles that are gone come back where the trial names nothing.
-  void putBackLargest(Workpiece& piece, const VertexTriangles& around) const;
+  void putBackLargest(Workpiece& piece, const mesh::VertexTriangles& around) const;
 
   Trial trial_;
   std::map<Place, int> named_;

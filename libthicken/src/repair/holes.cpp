@@ -25,8 +25,8 @@ class Filling {
         facts_(facts),
         rim_(openRimsOf(piece, threads)),
         additions_(piece, threads),
-        around_(vertexTriangles(piece.mesh.positions.size(), piece.mesh.triangles)),
-        floats_(std::all_of(piece.mesh.positions.begin(), piece.mesh.positions.end(), isFloat)) {}
+        around_(mesh::vertexTriangles(piece.mesh.positions.size(), piece.mesh.triangles)),
+        floats_(std::all_of(piece.mesh.positions.begin(), piece.mesh.positions.end(), mesh::isFloat)) {}
 
   void run(double longest, const RunContext& context) {
     for (std::size_t i = 0; i < rim_.loops(); ++i) {
@@ -53,13 +53,13 @@ class Filling {
 
   bool fill(const std::vector<VertexId>& loop) {
     surroundings(loop);
-    EdgeSet taken;
+    mesh::EdgeSet taken;
     for (const auto& [v, others] : beside_)
-      for (const VertexId w : others) taken.insert(edgeKey(v, w));
+      for (const VertexId w : others) taken.insert(mesh::edgeKey(v, w));
     const auto hasArea = [&](const Triangle& t) {
       return !exact::collinear(at()[t[0]], at()[t[1]], at()[t[2]]);
     };
-    const std::vector<Triangle> plain = minimalAreaTriangulation(at(), loop, taken, hasArea);
+    const std::vector<Triangle> plain = mesh::minimalAreaTriangulation(at(), loop, taken, hasArea);
     if (plain.empty()) return false;
     const std::size_t before = at().size();
     for (const bool fair : {true, false}) {
@@ -67,7 +67,7 @@ class Filling {
       shape.refine(kMostTriangles);
       if (fair) shape.fair(beside_);
       if (floats_)
-        for (std::size_t v = before; v < at().size(); ++v) at()[v] = roundToFloat(at()[v]);
+        for (std::size_t v = before; v < at().size(); ++v) at()[v] = mesh::roundToFloat(at()[v]);
       if (additions_.fits(shape.triangles())) {
         additions_.add(shape.triangles(), RepairKind::kFilled);
         return true;
@@ -97,9 +97,9 @@ class Filling {
 
   Workpiece& piece_;
   AddedFacts& facts_;
-  Rim rim_;
+  mesh::Rim rim_;
   Additions additions_;
-  VertexTriangles around_;  // of what was there before
+  mesh::VertexTriangles around_;  // of what was there before
   bool floats_;
   std::unordered_map<VertexId, std::vector<VertexId>> beside_;
   std::unordered_map<VertexId, double> size_;  // mm

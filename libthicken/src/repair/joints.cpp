@@ -64,7 +64,7 @@ class Joints {
     const auto along = [&](VertexId y) {
       return y != x && onRim(x, y) && exact::collinear(at(p), at(q), at(y));
     };
-    for (const HalfEdge& e : edges_.from(x)) {
+    for (const mesh::HalfEdge& e : edges_.from(x)) {
       const VertexId third = mesh_.triangles[e.triangle()][(e.corner() + 2) % 3];
       if (along(e.to) || along(third)) return true;
     }
@@ -72,7 +72,7 @@ class Joints {
   }
 
   const TriangleMesh& mesh_;
-  HalfEdges edges_;
+  mesh::HalfEdges edges_;
   std::map<std::uint32_t, std::vector<VertexId>> found_;  // by 3 · triangle + corner
 };
 

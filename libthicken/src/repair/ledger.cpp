@@ -13,6 +13,8 @@
 
 namespace thicken::repairing {
 
+using checking::isFinite;
+
 Ledger::Ledger(const RepairFacts& before) {
   for (const RepairChange& change : before.changes) changes_[change.kind] = change;
   largestPlace_ = before.largestPlace;
@@ -44,7 +46,7 @@ RepairFacts Ledger::facts(double weldDistance) && {
   facts.largestPlace = largestPlace_;
   for (auto& [kind, change] : changes_) {
     auto& ids = change.triangles;
-    sortUnique(ids);
+    mesh::sortUnique(ids);
     if (removes(kind)) {
       facts.removed += change.count;
       if (kind != RepairKind::kDuplicate) facts.removedArea += change.area;

@@ -49,7 +49,7 @@ void keepLargestFree(Workpiece& piece, const exact::BoxTree& tree, const RunCont
   for (const TriangleId t : order) {
     context.throwIfCancelled();
     const Triangle& c = piece.mesh.triangles[t];
-    Bounds box;
+    mesh::Bounds box;
     for (const VertexId v : c) box.add(p[v]);
     const std::vector<TriangleId> near = tree.near(box.low, box.high);
     kept[t] = std::none_of(near.begin(), near.end(), [&](TriangleId u) {

@@ -14,6 +14,10 @@
 #include "mesh/topology.h"
 
 namespace thicken::repairing {
+
+using mesh::HalfEdge;
+using mesh::kNone;
+
 namespace {
 
 // Cells of the search distance. Their numbers are whole doubles: they do not overflow however small
@@ -35,7 +39,7 @@ std::vector<double> shortestEdgesAtRims(const TriangleMesh& mesh) {
   constexpr double kInf = std::numeric_limits<double>::infinity();
   std::vector<double> shortest(mesh.positions.size(), kInf);
   std::vector<std::uint8_t> onRim(mesh.positions.size(), 0);
-  const HalfEdges edges(mesh.positions.size(), mesh.triangles);
+  const mesh::HalfEdges edges(mesh.positions.size(), mesh.triangles);
   edges.forEachEdge(
       [&](VertexId a, VertexId b, std::span<const HalfEdge> uses, std::span<const HalfEdge> back) {
         if (a == b) return;
@@ -44,7 +48,7 @@ std::vector<double> shortestEdgesAtRims(const TriangleMesh& mesh) {
         for (const VertexId v : {a, b}) shortest[v] = std::min(shortest[v], length);
       });
   for (VertexId v = 0; v < onRim.size(); ++v)
-    if (onRim[v] == 0 || !isFinite(mesh.positions[v])) shortest[v] = 0;
+    if (onRim[v] == 0 || !checking::isFinite(mesh.positions[v])) shortest[v] = 0;
   return shortest;
 }
 
@@ -54,7 +58,7 @@ class Pairing {
       : mesh_(mesh),
         distance_(distance),
         shortest_(shortestEdgesAtRims(mesh)),
-        around_(vertexTriangles(mesh.positions.size(), mesh.triangles)) {
+        around_(mesh::vertexTriangles(mesh.positions.size(), mesh.triangles)) {
     result_.onto.resize(mesh.positions.size());
     std::iota(result_.onto.begin(), result_.onto.end(), 0u);
   }
@@ -111,7 +115,7 @@ class Pairing {
   const TriangleMesh& mesh_;
   double distance_;
   std::vector<double> shortest_;
-  VertexTriangles around_;
+  mesh::VertexTriangles around_;
   std::unordered_map<Cell, std::vector<VertexId>, CellHash> staying_;
   NearCorners result_;
 };

@@ -15,7 +15,8 @@ bool endSheetsAtEdges(Workpiece& piece) {
   for (const NonManifoldEdge& edge : sheets.edges)
     for (const std::uint32_t slot : edge.slots)
       given.edge[slot] = slot != edge.through[0] && slot != edge.through[1];
-  const VertexTriangles around = vertexTriangles(piece.mesh.positions.size(), piece.mesh.triangles);
+  const mesh::VertexTriangles around =
+      mesh::vertexTriangles(piece.mesh.positions.size(), piece.mesh.triangles);
   giveUpNonManifold(piece, around, sheets.areaAt, given);
   retreat(piece, given, RepairKind::kNonManifoldEdge);
   return true;

@@ -14,6 +14,11 @@
 #include "repair/divided_triangle.h"
 
 namespace thicken::repairing {
+
+using mesh::Bounds;
+using mesh::boundsOf;
+using mesh::edgeKey;
+
 namespace {
 
 // How far a new corner may be on the way from the corner between the neighbours to the middle of the third
@@ -29,7 +34,7 @@ class Notches {
       : piece_(piece),
         edges_(piece.mesh.positions.size(), piece.mesh.triangles, piece.present),
         tree_(piece.mesh.positions, piece.mesh.triangles, threads, piece.present),
-        floats_(std::all_of(piece.mesh.positions.begin(), piece.mesh.positions.end(), isFloat)) {}
+        floats_(std::all_of(piece.mesh.positions.begin(), piece.mesh.positions.end(), mesh::isFloat)) {}
 
   double fill() {
     double area = 0;
@@ -70,7 +75,7 @@ class Notches {
   VertexId addCorner(const Triangle& whole, double share) {
     auto& at = piece_.mesh.positions;
     const Vec3 point = at[whole[0]] + share * (0.5 * (at[whole[1]] + at[whole[2]]) - at[whole[0]]);
-    at.push_back(floats_ ? roundToFloat(point) : point);
+    at.push_back(floats_ ? mesh::roundToFloat(point) : point);
     return static_cast<VertexId>(at.size() - 1);
   }
 
@@ -112,11 +117,11 @@ class Notches {
   }
 
   Workpiece& piece_;
-  HalfEdges edges_;
+  mesh::HalfEdges edges_;
   exact::BoxTree tree_;
   bool floats_;
   std::vector<Part> back_;
-  EdgeSet taken_;  // edges that a part has
+  mesh::EdgeSet taken_;  // edges that a part has
 };
 
 }  // namespace

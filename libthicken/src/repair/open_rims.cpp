@@ -7,6 +7,11 @@
 #include "exact/triangle_pair.h"
 
 namespace thicken::repairing {
+
+using mesh::Bounds;
+using mesh::boundsOf;
+using mesh::Rim;
+
 namespace {
 
 bool meetsAny(std::span<const Vec3> at, const Triangle& triangle, std::span<const Triangle> others,
@@ -28,8 +33,8 @@ Rim openRimsOf(const Workpiece& piece, int threads) {
     present.push_back(piece.mesh.triangles[t]);
     id.push_back(t);
   }
-  Rim rim = rimOf(piece.mesh.positions.size(), present, threads);
-  for (RimEdge& edge : rim.edges) edge.triangle = id[edge.triangle];
+  Rim rim = mesh::rimOf(piece.mesh.positions.size(), present, threads);
+  for (mesh::RimEdge& edge : rim.edges) edge.triangle = id[edge.triangle];
   return rim;
 }
 

@@ -15,7 +15,7 @@
 namespace thicken::repairing {
 
 /// rimOf() what is present; `triangle` is an id in the workpiece.
-[[nodiscard]] Rim openRimsOf(const Workpiece& piece, int threads);
+[[nodiscard]] mesh::Rim openRimsOf(const Workpiece& piece, int threads);
 
 /// Adds triangles to a valid surface that meet nothing of it. Exact.
 class Additions {
@@ -33,7 +33,7 @@ class Additions {
  private:
   struct Patch {
     std::vector<Triangle> triangles;
-    Bounds box;
+    mesh::Bounds box;
     exact::BoxTree tree;
   };
 

@@ -9,6 +9,9 @@
 #include "mesh/place_text.h"
 
 namespace thicken::repairing {
+
+using mesh::text;
+
 namespace {
 
 constexpr double kMostLost = 0.05;  // share of the area

@@ -39,7 +39,7 @@ class Overlaps {
     measureParts();
     bool removed = false;
     for (auto& [key, list] : meeting) {
-      sortUnique(list);
+      mesh::sortUnique(list);
       removed |= removeOverlap(key.first, key.second, list);
     }
     return removed;
@@ -98,9 +98,9 @@ class Overlaps {
     for (const TriangleId u : tree.near(p - margin, p + margin)) {
       const Triangle& c = piece_.mesh.triangles[u];
       if (n.dot(normal(u)) < kSameOrientation) continue;
-      const PreparedTriangle other(
+      const bvh::PreparedTriangle other(
           {piece_.mesh.positions[c[0]], piece_.mesh.positions[c[1]], piece_.mesh.positions[c[2]]}, c);
-      const TriangleClosest hit = closestOnTriangle(p, other, least);
+      const bvh::TriangleClosest hit = bvh::closestOnTriangle(p, other, least);
       if (hit.squaredDistance > least) continue;
       least = hit.squaredDistance;
       closest = hit.point;
@@ -119,7 +119,7 @@ class Overlaps {
 
   // Gives the border straight runs: a triangle goes with two of its neighbours.
   void smooth(const std::vector<TriangleId>& part, std::vector<std::uint8_t>& on) const {
-    const HalfEdges edges(piece_.mesh.positions.size(), piece_.mesh.triangles, piece_.present);
+    const mesh::HalfEdges edges(piece_.mesh.positions.size(), piece_.mesh.triangles, piece_.present);
     for (int round = 0; round < kSmoothings; ++round) {
       const std::vector<std::uint8_t> before = on;
       for (const TriangleId t : part) {
@@ -127,7 +127,7 @@ class Overlaps {
         const Triangle& c = piece_.mesh.triangles[t];
         for (int k = 0; k < 3; ++k)
           for (const auto& list : {edges.uses(c[k], c[(k + 1) % 3]), edges.uses(c[(k + 1) % 3], c[k])})
-            for (const HalfEdge& e : list)
+            for (const mesh::HalfEdge& e : list)
               if (e.triangle() != t) ++(before[e.triangle()] == before[t] ? alike : others);
         if (others > alike) on[t] = before[t] ^ 1;
       }

@@ -8,6 +8,10 @@
 #include "repair/fans.h"
 
 namespace thicken::repairing {
+
+using mesh::kNone;
+using mesh::VertexTriangles;
+
 namespace {
 
 // Holes of a shell grow this far before they are given up, and one edge more.

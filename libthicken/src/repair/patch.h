@@ -20,7 +20,7 @@ struct Patch {
 
 /// The triangles that are present within a few edges of `seeds` and of the triangles beside these, in
 /// whatever sheet.
-[[nodiscard]] Patch patchAround(const Workpiece& piece, const VertexTriangles& around,
+[[nodiscard]] Patch patchAround(const Workpiece& piece, const mesh::VertexTriangles& around,
                                 std::span<const VertexId> seeds);
 
 }  // namespace thicken::repairing

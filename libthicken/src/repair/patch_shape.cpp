@@ -11,6 +11,10 @@
 #include "mesh/topology.h"
 
 namespace thicken::repairing {
+
+using mesh::edgeKey;
+using mesh::kNone;
+
 namespace {
 
 constexpr int kMostRounds = 32;
@@ -34,7 +38,7 @@ double angleAt(const Vec3& apex, const Vec3& p, const Vec3& q) {
 }  // namespace
 
 PatchShape::PatchShape(std::vector<Vec3>& positions, std::vector<Triangle> triangles,
-                       const std::unordered_map<VertexId, double>& size, const EdgeSet& taken)
+                       const std::unordered_map<VertexId, double>& size, const mesh::EdgeSet& taken)
     : at_(positions),
       triangles_(std::move(triangles)),
       size_(size),

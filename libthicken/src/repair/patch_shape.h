@@ -19,7 +19,7 @@ class PatchShape {
   /// `triangles`: a triangulation of a loop. `size`: mm per vertex of the loop, the mean length of the edges
   /// there. `taken`: edges of the surface between vertices of the loop.
   PatchShape(std::vector<Vec3>& positions, std::vector<Triangle> triangles,
-             const std::unordered_map<VertexId, double>& size, const EdgeSet& taken);
+             const std::unordered_map<VertexId, double>& size, const mesh::EdgeSet& taken);
 
   /// Divides triangles that are large against `size`, at most until there are `most`, and turns edges until
   /// each is the shorter way between its triangles (Delaunay). Appends to the positions.
@@ -40,7 +40,7 @@ class PatchShape {
   std::vector<Vec3>& at_;
   std::vector<Triangle> triangles_;
   std::unordered_map<VertexId, double> size_;
-  const EdgeSet& taken_;
+  const mesh::EdgeSet& taken_;
   VertexId firstOwn_;
   std::unordered_map<std::uint64_t, std::array<TriangleId, 2>> edges_;  // the triangles at each edge
 };

@@ -6,6 +6,9 @@
 #include <utility>
 
 namespace thicken::repairing {
+
+using mesh::VertexTriangles;
+
 namespace {
 
 enum class Fit { kNot, kAsItIs, kTurned };

@@ -32,6 +32,10 @@
 
 namespace thicken {
 
+using repairing::dropBadTriangles;
+using repairing::dropCrumbs;
+using repairing::findMeetings;
+
 std::string_view name(RepairKind kind) noexcept {
   switch (kind) {
     case RepairKind::kWelded:
@@ -88,7 +92,7 @@ double roundingOf(const TriangleMesh& surface) {
   constexpr double kShareOfDiagonal = 1e-6;
   Eigen::AlignedBox3d box;
   for (const Vec3& p : surface.positions)
-    if (isFinite(p)) box.extend(p);
+    if (checking::isFinite(p)) box.extend(p);
   return box.isEmpty() ? 0 : kShareOfDiagonal * box.diagonal().norm();
 }
 
@@ -150,13 +154,14 @@ void separate(Workpiece& piece, const repairing::KnownMeetings& known,
   for (double& w : weight) w = (std::isfinite(w) ? w : 0) + mean;
   for (const TriangleId t : repairing::smallCover(graph, piece.present, weight))
     piece.remove(t, RepairKind::kSelfIntersecting);
-  const VertexTriangles around = vertexTriangles(piece.mesh.positions.size(), piece.mesh.triangles);
-  openNonManifoldVertices(piece, around);
+  const mesh::VertexTriangles around =
+      mesh::vertexTriangles(piece.mesh.positions.size(), piece.mesh.triangles);
+  repairing::openNonManifoldVertices(piece, around);
   std::vector<std::uint8_t> candidate(count, 0);
   for (TriangleId t = 0; t < count; ++t) {
     candidate[t] = piece.present[t] == 0 && mayReturn[t] != 0 && known.goneForGood[t] == 0;
   }
-  putBack(piece, around, graph, candidate);
+  repairing::putBack(piece, around, graph, candidate);
 }
 
 // Parts that come off beside an overlap and are smaller than this many mean triangles are dropped.
@@ -182,15 +187,15 @@ SeamFacts mend(Workpiece& piece, const RepairOptions& options, repairing::Ledger
   const std::vector<std::uint32_t> before = repairing::partsOfPiece(piece);
   const double fin = meanArea(piece);
   // All three are done, in this order.
-  const bool overlapping = removeOverlaps(piece, known.pairs, threads);
-  const bool ended = endSheetsAtEdges(piece);
-  const bool cut = cutNonManifoldVertices(piece);
+  const bool overlapping = repairing::removeOverlaps(piece, known.pairs, threads);
+  const bool ended = repairing::endSheetsAtEdges(piece);
+  const bool cut = repairing::cutNonManifoldVertices(piece);
   if (overlapping || ended || cut) {
     dropCrumbs(piece, before, fin);
     known = findMeetings(piece, context, threads);
   }
   const std::vector<std::uint8_t> mayReturn = piece.present;
-  makeSenseConsistent(piece);
+  repairing::makeSenseConsistent(piece);
   context.throwIfCancelled();
   separate(piece, known, mayReturn);
   // Straight borders cost no area, but for the one of an overlap, which has to be clean.
@@ -245,9 +250,9 @@ RepairResult repair(const TriangleMesh& surface, const RepairOptions& options, R
     seams = mend(piece, options, ledger, context, threads);
   }
   AddedFacts added;
-  if (bridge > 0) bridgeGaps(piece, bridge, added, context, threads);
-  if (longest > 0) fillHoles(piece, longest, added, context, threads);
-  RepairResult result = packed(piece, distance, std::move(ledger));
+  if (bridge > 0) repairing::bridgeGaps(piece, bridge, added, context, threads);
+  if (longest > 0) repairing::fillHoles(piece, longest, added, context, threads);
+  RepairResult result = repairing::packed(piece, distance, std::move(ledger));
   if (result.mesh.triangles.empty()) refuseAll(given);
   result.facts.seams = std::move(seams);
   added.triangles = result.facts.added.triangles;

@@ -21,7 +21,7 @@ class Retreat {
       : piece_(piece),
         given_(given),
         why_(why),
-        floats_(std::all_of(piece.mesh.positions.begin(), piece.mesh.positions.end(), isFloat)) {}
+        floats_(std::all_of(piece.mesh.positions.begin(), piece.mesh.positions.end(), mesh::isFloat)) {}
 
   void run() {
     const auto count = static_cast<TriangleId>(given_.corner.size() / 3);
@@ -46,7 +46,7 @@ class Retreat {
       const Vec3 &p = piece_.mesh.positions[from], &q = piece_.mesh.positions[to];
       const Vec3 point = p + kCut * (q - p);
       it->second = static_cast<VertexId>(piece_.mesh.positions.size());
-      piece_.mesh.positions.push_back(floats_ ? roundToFloat(point) : point);
+      piece_.mesh.positions.push_back(floats_ ? mesh::roundToFloat(point) : point);
     }
     return it->second;
   }

@@ -8,6 +8,11 @@
 #include "repair/fans.h"
 
 namespace thicken::repairing {
+
+using mesh::HalfEdge;
+using mesh::kNone;
+using mesh::VertexTriangles;
+
 namespace {
 
 using RimEnd = std::pair<VertexId, std::uint32_t>;  // a vertex and a rim edge's span there
@@ -31,7 +36,7 @@ std::vector<std::vector<std::uint32_t>> byFan(std::span<const RimEnd> ends, cons
 
 Rims::Rims(const Workpiece& piece, const VertexTriangles& around) {
   const TriangleMesh& mesh = piece.mesh;
-  const HalfEdges edges(mesh.positions.size(), mesh.triangles, piece.present);
+  const mesh::HalfEdges edges(mesh.positions.size(), mesh.triangles, piece.present);
   std::vector<RimEnd> ends;
   edges.forEachEdge(
       [&](VertexId a, VertexId b, std::span<const HalfEdge> uses, std::span<const HalfEdge> back) {

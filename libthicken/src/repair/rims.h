@@ -17,21 +17,21 @@ namespace thicken::repairing {
 /// A corner on a rim: one fan of triangles at a vertex. Where parts touch in a point only, a vertex has
 /// several.
 struct Stop {
-  VertexId vertex = kNone;
-  std::array<std::uint32_t, 2> spans{kNone, kNone};
+  VertexId vertex = mesh::kNone;
+  std::array<std::uint32_t, 2> spans{mesh::kNone, mesh::kNone};
 };
 
 /// The part of a rim edge between two stops, in the direction of its triangle. `stops` may hold kNone,
 /// where the rim branches.
 struct Span {
-  std::array<std::uint32_t, 2> stops{kNone, kNone};
+  std::array<std::uint32_t, 2> stops{mesh::kNone, mesh::kNone};
   std::uint32_t slot = 0;  ///< 3 · triangle + corner of the whole rim edge
   bool joined = false;     ///< another rim has the same two ends now
 };
 
 class Rims {
  public:
-  Rims(const Workpiece& piece, const VertexTriangles& around);
+  Rims(const Workpiece& piece, const mesh::VertexTriangles& around);
 
   [[nodiscard]] std::size_t stopCount() const { return stops_.size(); }
   [[nodiscard]] const Stop& stop(std::uint32_t s) const { return stops_[s]; }
@@ -57,9 +57,9 @@ class Rims {
   void walk(const Workpiece& piece, std::uint32_t stop, int side, Visit visit) const {
     double length = 0;
     std::uint32_t at = stop, span = stops_[stop].spans[side];
-    for (int step = 0; step < kMostSteps && span != kNone; ++step) {
+    for (int step = 0; step < kMostSteps && span != mesh::kNone; ++step) {
       const std::uint32_t to = across(span, at);
-      if (to == kNone || to == stop) return;
+      if (to == mesh::kNone || to == stop) return;
       length += (piece.mesh.positions[stops_[at].vertex] - piece.mesh.positions[stops_[to].vertex]).norm();
       if (!visit(to, length)) return;
       span = onward(to, span);

@@ -11,6 +11,10 @@
 #include "mesh/union_find.h"
 
 namespace thicken::repairing {
+
+using mesh::HalfEdge;
+using mesh::UnionFind;
+
 namespace {
 
 struct SeamEdge {
@@ -73,7 +77,7 @@ class SeamCut {
     const SideOfChain* best = nullptr;
     for (auto& [root, side] : sides) {
       auto& list = side.triangles;
-      sortUnique(list);
+      mesh::sortUnique(list);
       for (const TriangleId t : list) side.area += piece_.area(t);
       if (side.edges == chain.size() && (best == nullptr || side.area < best->area)) best = &side;
     }
@@ -92,7 +96,7 @@ class SeamCut {
   }
 
   Workpiece& piece_;
-  HalfEdges edges_;
+  mesh::HalfEdges edges_;
   UnionFind corners_;  // by 3 · triangle + corner
   UnionFind chains_;   // by vertex
   std::vector<SeamEdge> seam_;

@@ -9,10 +9,13 @@
 
 namespace thicken::repairing {
 
+using mesh::kNone;
+using mesh::sortUnique;
+
 SeamGroups::SeamGroups(Workpiece& piece)
     : piece_(piece),
       at_(piece.mesh.positions),
-      around_(vertexTriangles(at_.size(), piece.mesh.triangles)),
+      around_(mesh::vertexTriangles(at_.size(), piece.mesh.triangles)),
       rims_(piece, around_),
       onto_(at_.size()),
       vertices_(at_.size()),
@@ -120,7 +123,7 @@ std::vector<std::uint32_t> SeamGroups::spansOf(std::uint32_t slot, const Vec3& p
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint32_t end = rims_.span(span).stops[1];
     const VertexId to = i + 1 == count ? onto_[b] : groupOf(end);
-    all.emplace_back(toSegment(p, at_[from], at_[to]), span);
+    all.emplace_back(mesh::toSegment(p, at_[from], at_[to]), span);
     if (i + 1 == count) break;
     from = to;
     span = rims_.onward(end, span);

@@ -84,7 +84,7 @@ class SeamGroups {
 
   Workpiece& piece_;
   const std::vector<Vec3>& at_;
-  VertexTriangles around_;
+  mesh::VertexTriangles around_;
   Rims rims_;
   std::vector<VertexId> onto_;                     // per vertex: the one that it becomes
   std::vector<std::vector<VertexId>> vertices_;    // per vertex that stays: those that become it

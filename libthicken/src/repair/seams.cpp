@@ -13,6 +13,12 @@
 #include "repair/seam_groups.h"
 
 namespace thicken::repairing {
+
+using mesh::HalfEdge;
+using mesh::kNone;
+using mesh::sortUnique;
+using mesh::toSegment;
+
 namespace {
 
 // Two sheets whose inner sides are within 30° of one direction lie on each other.
@@ -266,7 +272,7 @@ NearRims nearRims(Workpiece& piece) {
   constexpr double kNear = 0.25;  // of the mean rim edge
   double sum = 0;
   std::size_t count = 0;
-  const HalfEdges edges(piece.mesh.positions.size(), piece.mesh.triangles, piece.present);
+  const mesh::HalfEdges edges(piece.mesh.positions.size(), piece.mesh.triangles, piece.present);
   edges.forEachEdge(
       [&](VertexId a, VertexId b, std::span<const HalfEdge> uses, std::span<const HalfEdge> back) {
         if (uses.size() + back.size() != 1) return;

@@ -12,6 +12,10 @@
 #include "repair/seam.h"
 
 namespace thicken::repairing {
+
+using mesh::HalfEdge;
+using mesh::HalfEdges;
+
 namespace {
 
 // A triangle across an edge; `turned`: the two have to differ for one sense.

@@ -12,6 +12,10 @@
 #include "mesh/union_find.h"
 
 namespace thicken::repairing {
+
+using mesh::HalfEdge;
+using mesh::UnionFind;
+
 namespace {
 
 constexpr double kSameBend = 15.0 / 180 * 3.14159265358979323846;
@@ -48,7 +52,7 @@ class SheetFinder {
 
  private:
   void findEdges() {
-    const HalfEdges edges(piece_.mesh.positions.size(), piece_.mesh.triangles, piece_.present);
+    const mesh::HalfEdges edges(piece_.mesh.positions.size(), piece_.mesh.triangles, piece_.present);
     edges.forEachEdge(
         [&](VertexId, VertexId, std::span<const HalfEdge> uses, std::span<const HalfEdge> back) {
           if (uses.size() + back.size() < 2) return;

@@ -13,7 +13,9 @@
 #include "measure/error_bound.h"
 #include "mesh/float_lattice.h"
 
-namespace thicken::simplifying {
+namespace thicken::simplify {
+
+using mesh::Bounds;
 
 namespace {
 
@@ -44,9 +46,9 @@ double aspectOf(const Vec3& a, const Vec3& b, const Vec3& c) {
   return twiceArea > 0 ? longest2 / twiceArea : kInfinite;
 }
 
-Collapse::Collapse(const Job& job, TriangleMesh& mesh, LinkedMesh& links, std::span<const Region> region,
-                   const ShellDefinition& definition, ShellTargets& targets, const Vec3& center,
-                   const Limits& limits)
+Collapse::Collapse(const job::Job& job, TriangleMesh& mesh, mesh::LinkedMesh& links,
+                   std::span<const Region> region, const ShellDefinition& definition, ShellTargets& targets,
+                   const Vec3& center, const Limits& limits)
     : job_(job),
       alone_{job.surface, job.tree, job.thickness, job.options, silent_, 1, job.watch},
       mesh_(mesh),
@@ -60,7 +62,7 @@ Collapse::Collapse(const Job& job, TriangleMesh& mesh, LinkedMesh& links, std::s
       boxes_(mesh.positions, mesh.triangles, job.threads),
       age_(mesh.positions.size(), 0) {
   countCreases();
-  const Components parts = componentsOf(mesh.positions.size(), mesh.triangles, job.threads);
+  const mesh::Components parts = mesh::componentsOf(mesh.positions.size(), mesh.triangles, job.threads);
   part_ = parts.ofTriangle;
   apex_.assign(parts.count, Vec3::Zero());
   for (TriangleId t = 0; t < part_.size(); ++t) apex_[part_[t]] = mesh.positions[mesh.triangles[t][0]];
@@ -179,7 +181,7 @@ bool Collapse::tryEdge(VertexId a, VertexId b) {
   Quadric q = targets_.quadric[a];
   q += targets_.quadric[b];
   if (aMay && bMay && !alongCrease && !anyLoose_) {
-    const Vec3 least = roundToFloat(center_ + q.leastNear((pa + pb) / 2 - center_));
+    const Vec3 least = mesh::roundToFloat(center_ + q.leastNear((pa + pb) / 2 - center_));
     if (tryAt(a, b, least, true)) return true;
   }
   const bool bFirst = !aMay || (bMay && q.at(pa - center_) <= q.at(pb - center_));  // b goes
@@ -269,8 +271,8 @@ bool Collapse::coverTargets() {
       std::size_t at = 0;
       for (std::size_t k = 0; k < prepared_.size(); ++k) {
         const std::size_t j = guess + k < prepared_.size() ? guess + k : guess + k - prepared_.size();
-        const TriangleClosest c =
-            closestOnTriangle(targets_.targets[i].at, prepared_[j], std::min(least, most2));
+        const bvh::TriangleClosest c =
+            bvh::closestOnTriangle(targets_.targets[i].at, prepared_[j], std::min(least, most2));
         if (c.squaredDistance >= least) continue;
         least = c.squaredDistance;
         at = j;
@@ -349,7 +351,7 @@ bool Collapse::areProved() const {
     part.triangles.push_back({first, first + 1, first + 2});
   }
   const std::vector<Region> shell(part.triangles.size(), Region::kShell);
-  return shellBeyond(alone_, part, shell, *limits_.proved).empty();
+  return measure::shellBeyond(alone_, part, shell, *limits_.proved).empty();
 }
 
 void Collapse::apply(VertexId keep, VertexId go) {
@@ -379,4 +381,4 @@ void Collapse::take() {
   boxes_.refit(mesh_.positions, mesh_.triangles, moved);
 }
 
-}  // namespace thicken::simplifying
+}  // namespace thicken::simplify

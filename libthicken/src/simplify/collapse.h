@@ -21,7 +21,7 @@
 #include "thicken/result.h"
 #include "thicken/run_context.h"
 
-namespace thicken::simplifying {
+namespace thicken::simplify {
 
 /// Longest edge by least height from which on a triangle counts as a needle.
 inline constexpr double kNeedle = 30;
@@ -39,7 +39,7 @@ class Collapse {
  public:
   /// `mesh` is closed and manifold; its first vertices are those of S and stay as they are. All must outlive
   /// this.
-  Collapse(const Job& job, TriangleMesh& mesh, LinkedMesh& links, std::span<const Region> region,
+  Collapse(const job::Job& job, TriangleMesh& mesh, mesh::LinkedMesh& links, std::span<const Region> region,
            const ShellDefinition& definition, ShellTargets& targets, const Vec3& center,
            const Limits& limits);
 
@@ -83,11 +83,11 @@ class Collapse {
     return {mesh_.positions[t[0]], mesh_.positions[t[1]], mesh_.positions[t[2]]};
   }
 
-  const Job& job_;
+  const job::Job& job_;
   RunContext silent_;  // what single collapses take is counted by their edges
-  Job alone_;          // for them
+  job::Job alone_;     // for them
   TriangleMesh& mesh_;
-  LinkedMesh& links_;
+  mesh::LinkedMesh& links_;
   std::span<const Region> region_;
   std::size_t fixed_;
   const ShellDefinition& definition_;
@@ -116,11 +116,11 @@ class Collapse {
     std::uint32_t target, to;
   };
   std::vector<Move> moves_;
-  std::vector<PreparedTriangle> prepared_;  // changed_, and their bounds
-  std::vector<Bounds> bounds_;
+  std::vector<bvh::PreparedTriangle> prepared_;  // changed_, and their bounds
+  std::vector<mesh::Bounds> bounds_;
   std::vector<Triangle> fan_;
   std::vector<TriangleId> near_;
   double farthest_ = 0;
 };
 
-}  // namespace thicken::simplifying
+}  // namespace thicken::simplify

@@ -13,7 +13,7 @@
 
 #include "thicken/mesh.h"
 
-namespace thicken::simplifying {
+namespace thicken::simplify {
 
 class EdgeQueue {
  public:
@@ -54,4 +54,4 @@ class EdgeQueue {
   std::size_t first_ = 0;
 };
 
-}  // namespace thicken::simplifying
+}  // namespace thicken::simplify

@@ -7,7 +7,7 @@
 
 #include "thicken/mesh.h"
 
-namespace thicken::simplifying {
+namespace thicken::simplify {
 
 struct Quadric {
   Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
@@ -42,4 +42,4 @@ struct Quadric {
   }
 };
 
-}  // namespace thicken::simplifying
+}  // namespace thicken::simplify

@@ -11,7 +11,11 @@
 #include "mesh/normals.h"
 #include "parallel/parallel_for.h"
 
-namespace thicken::simplifying {
+namespace thicken::simplify {
+
+using job::Job;
+using measure::areaOf;
+using measure::joinOf;
 
 namespace {
 
@@ -95,8 +99,8 @@ void addTargets(ShellTargets& made, TriangleId t, const Corners& c, const Place&
 
 ShellDefinition::ShellDefinition(const Job& job, double most)
     : job_(job),
-      normal_(faceNormals(job.surface.positions, job.surface.triangles, job.threads)),
-      around_(vertexTriangles(job.surface.positions.size(), job.surface.triangles, job.threads)),
+      normal_(mesh::faceNormals(job.surface.positions, job.surface.triangles, job.threads)),
+      around_(mesh::vertexTriangles(job.surface.positions.size(), job.surface.triangles, job.threads)),
       error_(job, normal_, around_, joinOf(job.options)),
       most_(most) {}
 
@@ -105,7 +109,7 @@ Place ShellDefinition::at(const Vec3& p) const {
   Place place;
   place.target = p;
   place.area = areaOf(job_.surface.positions, job_.surface.triangles[c.triangle]);
-  const OffsetError::Error error = error_.at(p, c);
+  const measure::OffsetError::Error error = error_.at(p, c);
   place.error = error.mm;
   place.isWall = c.onRim;
   place.isLoose = c.onRim || std::abs(error.mm) > most_ || c.distance <= 0;
@@ -131,7 +135,7 @@ ShellTargets shellTargets(const Job& job, const TriangleMesh& solid, std::span<c
   made.isLoose.assign(count, 0);
   made.first.assign(count, ShellTargets::kEnd);
   made.quadric.resize(solid.positions.size());
-  parallelFor(count, job.threads, job.context, 256, [&](std::size_t i) {
+  parallel::parallelFor(count, job.threads, job.context, 256, [&](std::size_t i) {
     if (region[i] == Region::kOriginal) return;
     const auto t = static_cast<TriangleId>(i);
     middle[t] = middleOf(cornersOf(solid, t), region[t], definition);
@@ -160,4 +164,4 @@ ShellTargets shellTargets(const Job& job, const TriangleMesh& solid, std::span<c
   return made;
 }
 
-}  // namespace thicken::simplifying
+}  // namespace thicken::simplify

@@ -18,13 +18,13 @@
 #include "simplify/quadric.h"
 #include "thicken/result.h"
 
-namespace thicken::simplifying {
+namespace thicken::simplify {
 
 /// What the shell's error is measured by.
 class ShellDefinition {
  public:
   /// `job` must outlive this. `most`: mm, error of a point that follows its definition.
-  ShellDefinition(const Job& job, double most);
+  ShellDefinition(const job::Job& job, double most);
 
   struct Place {
     Vec3 target = Vec3::Zero(), normal = Vec3::Zero();  ///< of the definition, which goes through `target`
@@ -37,10 +37,10 @@ class ShellDefinition {
   [[nodiscard]] Place at(const Vec3& p) const;
 
  private:
-  const Job& job_;
+  const job::Job& job_;
   std::vector<Vec3> normal_;
-  VertexTriangles around_;
-  OffsetError error_;
+  mesh::VertexTriangles around_;
+  measure::OffsetError error_;
   double most_;
 };
 
@@ -69,8 +69,8 @@ struct ShellTargets {
 /// The targets of all triangles around dense ones: of walls, and of those of the shell that are smaller than
 /// the triangles of S that they are nearest to, or with `copies` all. `error`: mm, how far off the shell may
 /// be; `center`: from where quadrics measure.
-[[nodiscard]] ShellTargets shellTargets(const Job& job, const TriangleMesh& solid,
+[[nodiscard]] ShellTargets shellTargets(const job::Job& job, const TriangleMesh& solid,
                                         std::span<const Region> region, const ShellDefinition& definition,
                                         double error, bool copies, const Vec3& center);
 
-}  // namespace thicken::simplifying
+}  // namespace thicken::simplify

@@ -11,11 +11,12 @@
 #include "mesh/topology.h"
 #include "simplify/collapse.h"
 
-namespace thicken {
+namespace thicken::simplify {
+
+using job::Job;
+using mesh::LinkedMesh;
 
 namespace {
-
-using namespace simplifying;
 
 // A resin printer draws 25 to 50 µm, which is 1 % of a wall of some millimetres.
 constexpr double kFollows = 0.01;
@@ -58,8 +59,8 @@ std::vector<std::uint8_t> collapsedIn(const LinkedMesh& links, std::size_t trian
 
 // Drops parts smaller than the tolerance that another part of the boundary has passed.
 void dropPassed(TriangleMesh& solid, std::vector<Region>& region, std::size_t surfaceVertices, int threads) {
-  const Components shells = componentsOf(solid.positions.size(), solid.triangles, threads);
-  const std::vector<std::uint8_t> isMisplaced = misplacedShells(solid, region, shells, threads);
+  const mesh::Components shells = mesh::componentsOf(solid.positions.size(), solid.triangles, threads);
+  const std::vector<std::uint8_t> isMisplaced = checking::misplacedShells(solid, region, shells, threads);
   if (std::ranges::find(isMisplaced, 1) == isMisplaced.end()) return;
   std::vector<std::uint8_t> isGone(solid.triangles.size());
   for (TriangleId t = 0; t < isGone.size(); ++t) isGone[t] = isMisplaced[shells.ofTriangle[t]];
@@ -82,7 +83,7 @@ double collapsed(const Job& job, TriangleMesh& solid, std::vector<Region>& regio
   if (!links.isClosedManifold()) return 0;
   const std::optional<double>& tolerance = job.options.tolerance;
   const double most = tolerance.value_or(kFollows * job.thickness.least());
-  const Bounds bounds = boundsOf(solid);
+  const mesh::Bounds bounds = mesh::boundsOf(solid);
   const Vec3 center = (bounds.low + bounds.high) / 2;
   const ShellDefinition definition(job, most);
   ShellTargets targets =
@@ -110,4 +111,4 @@ SimplifyFacts simplify(const Job& job, TriangleMesh& solid, std::vector<Region>&
   return facts;
 }
 
-}  // namespace thicken
+}  // namespace thicken::simplify

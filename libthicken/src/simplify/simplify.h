@@ -8,14 +8,14 @@
 #include "job/job.h"
 #include "thicken/result.h"
 
-namespace thicken {
+namespace thicken::simplify {
 
 /// Collapses edges of the shell and the walls of `solid`, whose first vertices and triangles are those of S
 /// (on Side::kBoth: vertices only). They stay, as do their ids. Afterwards no triangles meet that did not
 /// before, and the shell is no farther from its definition than the tolerance, or 1 % of the thickness, where
 /// it was not before. A solid that is not closed and manifold is left as it is.
 /// `what` stands for Options::simplify.
-[[nodiscard]] SimplifyFacts simplify(const Job& job, TriangleMesh& solid, std::vector<Region>& region,
+[[nodiscard]] SimplifyFacts simplify(const job::Job& job, TriangleMesh& solid, std::vector<Region>& region,
                                      Simplify what);
 
 /// Bytes that this takes for a solid of so many triangles, with the solid. Measured, with a margin.
@@ -23,4 +23,4 @@ namespace thicken {
   return 400 * triangles;
 }
 
-}  // namespace thicken
+}  // namespace thicken::simplify

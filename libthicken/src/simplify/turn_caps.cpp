@@ -6,7 +6,7 @@
 
 #include "simplify/collapse.h"
 
-namespace thicken::simplifying {
+namespace thicken::simplify {
 
 void Collapse::turnCaps() {
   for (TriangleId t = 0; t < mesh_.triangles.size(); ++t) {
@@ -43,4 +43,4 @@ void Collapse::turnEdge(TriangleId t) {
   take();
 }
 
-}  // namespace thicken::simplifying
+}  // namespace thicken::simplify

@@ -7,13 +7,13 @@
 #include "mesh/sort_unique.h"
 #include "parallel/parallel_for.h"
 
-namespace thicken {
+namespace thicken::sweep {
 
 ConflictTester::ConflictTester(const SweptMesh& mesh, const RunContext& context, int threads)
     : mesh_(mesh),
       context_(context),
       threads_(threads),
-      around_(vertexTriangles(mesh.positions.size(), mesh.triangles, threads)),
+      around_(mesh::vertexTriangles(mesh.positions.size(), mesh.triangles, threads)),
       mark_(mesh.triangles.size(), 0),
       tree_(mesh.positions, mesh.triangles, threads) {}
 
@@ -40,8 +40,8 @@ Conflicts ConflictTester::all() {
   c.pairs = tree_.meetingPairs(mesh_.positions, mesh_.triangles, mesh_.fixed, context_, threads_);
   const std::size_t first = mesh_.surfaceTriangles;
   std::vector<std::uint8_t> flat(mesh_.triangles.size() - first);
-  parallelFor(flat.size(), threads_, context_, 4096,
-              [&](std::size_t i) { flat[i] = isFlat(static_cast<TriangleId>(first + i)); });
+  parallel::parallelFor(flat.size(), threads_, context_, 4096,
+                        [&](std::size_t i) { flat[i] = isFlat(static_cast<TriangleId>(first + i)); });
   for (std::size_t i = 0; i < flat.size(); ++i)
     if (flat[i] != 0) c.flat.push_back(static_cast<TriangleId>(first + i));
   return c;
@@ -65,4 +65,4 @@ Conflicts ConflictTester::after(std::span<const std::uint32_t> moved, const Conf
   return c;
 }
 
-}  // namespace thicken
+}  // namespace thicken::sweep

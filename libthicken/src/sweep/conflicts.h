@@ -12,7 +12,7 @@
 #include "sweep/swept_mesh.h"
 #include "thicken/run_context.h"
 
-namespace thicken {
+namespace thicken::sweep {
 
 /// What is wrong with a sweep at its present depths.
 struct Conflicts {
@@ -58,9 +58,9 @@ class ConflictTester {
   const SweptMesh& mesh_;
   const RunContext& context_;
   int threads_;
-  VertexTriangles around_;
+  mesh::VertexTriangles around_;
   std::vector<std::uint8_t> mark_;
   exact::BoxTree tree_;
 };
 
-}  // namespace thicken
+}  // namespace thicken::sweep

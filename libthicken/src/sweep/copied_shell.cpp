@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-namespace thicken {
+namespace thicken::sweep {
 
 bool CopiedShell::isOfThisShell(const Triangle& t) const {
   return of_.shells == 1 ||
@@ -61,7 +61,7 @@ std::vector<CopiedShell::Chain> CopiedShell::chainsAt(VertexId v, const Fan& fan
 void CopiedShell::listCopied() {
   copied_.assign(of_.surfaceTriangles, {});
   for (std::size_t t = of_.surfaceTriangles; t < of_.triangles.size(); ++t)
-    if (const TriangleId s = of_.above[t]; s != kNone && isOfThisShell(of_.triangles[t]))
+    if (const TriangleId s = of_.above[t]; s != mesh::kNone && isOfThisShell(of_.triangles[t]))
       copied_[s].push_back(static_cast<TriangleId>(t));
 }
 
@@ -105,4 +105,4 @@ std::vector<std::array<int, 3>> triangulated(const std::vector<Vec3>& p, const V
   return triangles;
 }
 
-}  // namespace thicken
+}  // namespace thicken::sweep

@@ -16,7 +16,7 @@
 #include "sweep/corner_planes.h"
 #include "sweep/swept_mesh.h"
 
-namespace thicken {
+namespace thicken::sweep {
 
 class CopiedShell {
  public:
@@ -25,7 +25,7 @@ class CopiedShell {
 
   /// `firstCopy`: the copy of vertex 0 on this side. `sign`: -1 behind the normals, else 1. All that is given
   /// must outlive this.
-  CopiedShell(const SweptMesh& mesh, const VertexTriangles& around, std::size_t firstCopy, double sign)
+  CopiedShell(const SweptMesh& mesh, const mesh::VertexTriangles& around, std::size_t firstCopy, double sign)
       : sign_(sign), firstCopy_(firstCopy), around_(around), of_(mesh) {
     listCopied();
   }
@@ -54,7 +54,7 @@ class CopiedShell {
  protected:
   double sign_;
   std::size_t firstCopy_;
-  const VertexTriangles& around_;
+  const mesh::VertexTriangles& around_;
   std::vector<std::vector<TriangleId>> copied_;    ///< per triangle of S: what it is copied to
   std::unordered_map<TriangleId, Chains> chains_;  ///< of triangles with a vertex that was divided
   std::unordered_set<TriangleId> changed_;         ///< whose polygon is not in the mesh yet
@@ -69,4 +69,4 @@ class CopiedShell {
 /// `normal`; empty where there is none.
 [[nodiscard]] std::vector<std::array<int, 3>> triangulated(const std::vector<Vec3>& p, const Vec3& normal);
 
-}  // namespace thicken
+}  // namespace thicken::sweep

@@ -10,7 +10,7 @@
 #include "measure/offset_error.h"
 #include "mesh/union_find.h"
 
-namespace thicken {
+namespace thicken::sweep {
 
 namespace {
 
@@ -117,7 +117,7 @@ std::optional<Vec3> CornerMaker::meetingPoint(const PlaneTriple& t) const {
   constexpr double kFlat = 1e-6;
   if (std::abs(a.determinant()) < kFlat) return std::nullopt;
   const Vec3 m = a.inverse() * Vec3(planes_[t[0]].way, planes_[t[1]].way, planes_[t[2]].way);
-  if (!(m.norm() <= kMitreLimit)) return std::nullopt;
+  if (!(m.norm() <= measure::kMitreLimit)) return std::nullopt;
   return m;
 }
 
@@ -164,7 +164,7 @@ const std::optional<Vec3>& CornerMaker::pointOf(const PlaneTriple& t) {
 Corner CornerMaker::cornerOf(const PlaneTriangulation& t, const std::vector<Vec3>& m) const {
   // Vertices that are nearly at one place are one: an edge so short is a needle of a triangle.
   constexpr double kNear = 0.01;  // of r
-  UnionFind same(t.size());
+  mesh::UnionFind same(t.size());
   for (std::size_t i = 0; i < t.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (sharePlanes(t[i], t[j]) && (m[i] - m[j]).norm() < kNear)
@@ -227,4 +227,4 @@ void CornerMaker::share(const Plane& plane, const std::vector<int>& chain, Corne
   }
 }
 
-}  // namespace thicken
+}  // namespace thicken::sweep

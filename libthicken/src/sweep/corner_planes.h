@@ -14,7 +14,7 @@
 #include "sweep/direction.h"
 #include "thicken/mesh.h"
 
-namespace thicken {
+namespace thicken::sweep {
 
 /// The triangles around a vertex v, in their order: triangle i is (v, ring i, ring i + 1).
 struct Fan {
@@ -83,4 +83,4 @@ class CornerMaker {
   std::array<std::uint8_t, kTriples> known_{};
 };
 
-}  // namespace thicken
+}  // namespace thicken::sweep

@@ -6,7 +6,7 @@
 #include "exact/triangle_pair.h"
 #include "mesh/sort_unique.h"
 
-namespace thicken {
+namespace thicken::sweep {
 
 namespace {
 
@@ -15,12 +15,12 @@ constexpr std::size_t kMost = 128;  // triangles of S
 }  // namespace
 
 CornerSurroundings::CornerSurroundings(const CopiedShell& shell, const SweptMesh& mesh,
-                                       std::span<const Vec3> faceNormal, const VertexTriangles& around,
+                                       std::span<const Vec3> faceNormal, const mesh::VertexTriangles& around,
                                        VertexId v, const Fan& fan)
     : shell_(shell), normal_(faceNormal), v_(v), fan_(fan) {
   std::vector<TriangleId> near;
   for (const VertexId u : fan.ring) near.insert(near.end(), around.of(u).begin(), around.of(u).end());
-  sortUnique(near);
+  mesh::sortUnique(near);
   tooMany_ = near.size() > kMost;
   if (tooMany_) return;
   constexpr std::uint64_t kOfSurface = std::uint64_t{1} << 32;
@@ -91,4 +91,4 @@ bool CornerSurroundings::addCopy(TriangleId s, const CopiedShell::Chains& chains
   return !triangles.empty();
 }
 
-}  // namespace thicken
+}  // namespace thicken::sweep

@@ -13,14 +13,14 @@
 
 #include "sweep/copied_shell.h"
 
-namespace thicken {
+namespace thicken::sweep {
 
 class CornerSurroundings {
  public:
   /// Of vertex `v` of S with the fan `fan`; `faceNormal`, `around`: of S. All but `around` and `mesh` must
   /// outlive this.
   CornerSurroundings(const CopiedShell& shell, const SweptMesh& mesh, std::span<const Vec3> faceNormal,
-                     const VertexTriangles& around, VertexId v, const Fan& fan);
+                     const mesh::VertexTriangles& around, VertexId v, const Fan& fan);
 
   /// How often the copies of the fan meet the surroundings and each other with `chains` at the vertex.
   /// Nothing where one of them is folded over, or where there are more than 128 triangles of S to look at.
@@ -47,4 +47,4 @@ class CornerSurroundings {
   std::vector<std::uint64_t> fresh_;  ///< keys that were added for the fan
 };
 
-}  // namespace thicken
+}  // namespace thicken::sweep

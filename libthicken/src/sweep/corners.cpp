@@ -13,7 +13,9 @@
 #include "mesh/sort_unique.h"
 #include "sweep/corner_surroundings.h"
 
-namespace thicken {
+namespace thicken::sweep {
+
+using mesh::VertexTriangles;
 
 namespace {
 
@@ -192,7 +194,7 @@ class CornerDivider : private CopiedShell {
       double at = away * r;
       for (const std::uint32_t c : chains[i])
         at = std::max(at, kBeyond * (placeOf(c) - mesh_.positions[v]).dot(edge) / length);
-      if (!(m.norm() <= kMitreLimit) || at > kMostShare * length) continue;
+      if (!(m.norm() <= measure::kMitreLimit) || at > kMostShare * length) continue;
       any = true;
       const double there = r + at / length * (mesh_.thickness.at(fan.ring[i]) - r);
       const Vec3 offset = sign_ * there * m + (at / length) * edge;
@@ -291,7 +293,7 @@ bool Corners::undo(std::span<const VertexId> vertices) {
 }
 
 std::vector<std::uint32_t> Corners::takeChanged() {
-  sortUnique(impl_->changed);
+  mesh::sortUnique(impl_->changed);
   std::erase_if(impl_->changed, [&](std::uint32_t i) { return impl_->mesh.copies[i].dropped; });
   return std::exchange(impl_->changed, {});
 }
@@ -314,4 +316,4 @@ void Corners::cutShort(std::span<const double> depth) {
   }
 }
 
-}  // namespace thicken
+}  // namespace thicken::sweep

@@ -16,14 +16,14 @@
 #include "sweep/direction.h"
 #include "sweep/swept_mesh.h"
 
-namespace thicken {
+namespace thicken::sweep {
 
 class Corners {
  public:
   /// Of the copies of `mesh`; `faceNormal`, `around`: of S, `plane`: of its triangles, for each shell. All
   /// must outlive this.
   Corners(SweptMesh& mesh, std::span<const Vec3> faceNormal, std::span<const std::vector<OffsetPlane>> plane,
-          const VertexTriangles& around);
+          const mesh::VertexTriangles& around);
   ~Corners();
 
   /// Divides the copies that are off from a plane around them by more than `tolerance` · r, or cuts the
@@ -47,4 +47,4 @@ class Corners {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace thicken
+}  // namespace thicken::sweep

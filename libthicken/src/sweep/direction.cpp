@@ -10,7 +10,11 @@
 
 #include "parallel/parallel_for.h"
 
-namespace thicken {
+namespace thicken::sweep {
+
+using job::Job;
+using mesh::kNone;
+using mesh::Rim;
 
 namespace {
 
@@ -183,8 +187,8 @@ std::vector<OffsetPlane> offsetPlanes(const Job& job, std::span<const Vec3> face
 }
 
 std::vector<SweepDirection> sweepDirections(const Job& job, std::span<const Vec3> faceNormal,
-                                            std::span<const OffsetPlane> plane, const VertexTriangles& around,
-                                            const Rim& rim) {
+                                            std::span<const OffsetPlane> plane,
+                                            const mesh::VertexTriangles& around, const Rim& rim) {
   const TriangleMesh& surface = job.surface;
   const std::size_t n = surface.positions.size();
   const auto rimAt = rimEdgesAt(n, rim);
@@ -199,7 +203,7 @@ std::vector<SweepDirection> sweepDirections(const Job& job, std::span<const Vec3
     }
     for (const std::uint32_t i : rimAt[v]) {
       if (i == kNone) continue;
-      const RimEdge& e = rim.edges[i];
+      const mesh::RimEdge& e = rim.edges[i];
       const Vec3 along = (surface.positions[e.to] - surface.positions[e.from]).stableNormalized();
       even.addRim(along.cross(faceNormal[e.triangle]));
     }
@@ -207,7 +211,7 @@ std::vector<SweepDirection> sweepDirections(const Job& job, std::span<const Vec3
   };
   std::vector<SweepDirection> direction(n);
   constexpr std::size_t kGrain = 1024;
-  parallelFor(n, job.threads, RunContext(), kGrain, [&](std::size_t v) {
+  parallel::parallelFor(n, job.threads, RunContext(), kGrain, [&](std::size_t v) {
     const auto fan = around.of(static_cast<VertexId>(v));
     if (fan.empty()) return;
     thread_local std::vector<Vec3> normals;
@@ -233,4 +237,4 @@ std::vector<SweepDirection> sweepDirections(const Job& job, std::span<const Vec3
   return direction;
 }
 
-}  // namespace thicken
+}  // namespace thicken::sweep

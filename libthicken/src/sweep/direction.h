@@ -12,7 +12,7 @@
 #include "job/job.h"
 #include "mesh/topology.h"
 
-namespace thicken {
+namespace thicken::sweep {
 
 struct SweepDirection {
   Vec3 m = Vec3::Zero();  ///< the copy of v at full depth is v − r·m
@@ -30,15 +30,17 @@ struct OffsetPlane {
 };
 
 /// Of all triangles of S; `sign` −1: behind S, 1: before it, where −m takes the place of m.
-[[nodiscard]] std::vector<OffsetPlane> offsetPlanes(const Job& job, std::span<const Vec3> faceNormal,
+[[nodiscard]] std::vector<OffsetPlane> offsetPlanes(const job::Job& job, std::span<const Vec3> faceNormal,
                                                     double sign);
 
 /// One direction for every vertex of S that a triangle uses; `plane`: of the triangles.
-[[nodiscard]] std::vector<SweepDirection> sweepDirections(const Job& job, std::span<const Vec3> faceNormal,
+[[nodiscard]] std::vector<SweepDirection> sweepDirections(const job::Job& job,
+                                                          std::span<const Vec3> faceNormal,
                                                           std::span<const OffsetPlane> plane,
-                                                          const VertexTriangles& around, const Rim& rim);
+                                                          const mesh::VertexTriangles& around,
+                                                          const mesh::Rim& rim);
 
 /// Point of least norm in the convex hull of `points`; zero when the hull holds the origin.
 [[nodiscard]] Vec3 minNormPoint(std::span<const Vec3> points);
 
-}  // namespace thicken
+}  // namespace thicken::sweep

@@ -10,7 +10,9 @@
 #include "bvh/spatial_order.h"
 #include "sweep/nearby.h"
 
-namespace thicken {
+namespace thicken::sweep {
+
+using bvh::SpatialOrder;
 
 namespace {
 
@@ -106,7 +108,7 @@ void setDepths(const std::span<Way> ways, const SweptMesh& mesh, const ClosestPo
 
 }  // namespace
 
-void setInitialDepths(SweptMesh& mesh, const Job& job, std::span<const std::uint8_t> which) {
+void setInitialDepths(SweptMesh& mesh, const job::Job& job, std::span<const std::uint8_t> which) {
   const SpatialOrder order(trianglesAtCopies(mesh), job.tree, job.threads);
   order.forGroups(job.threads, job.context, [&](std::span<const std::uint32_t> copies) {
     std::array<Way, SpatialOrder::kTogether> ways;
@@ -117,4 +119,4 @@ void setInitialDepths(SweptMesh& mesh, const Job& job, std::span<const std::uint
   });
 }
 
-}  // namespace thicken
+}  // namespace thicken::sweep

@@ -5,7 +5,7 @@
 
 #include "parallel/parallel_for.h"
 
-namespace thicken {
+namespace thicken::sweep {
 
 namespace {
 
@@ -30,12 +30,12 @@ std::vector<TriangleId> trianglesAbove(std::span<const TriangleId> shell, const 
                                        int threads) {
   const std::vector<TriangleId> atVertex = trianglesAtVertices(mesh);
   std::vector<TriangleId> above(shell.size());
-  parallelFor(shell.size(), threads, RunContext(), 4096, [&](std::size_t i) {
+  parallel::parallelFor(shell.size(), threads, RunContext(), 4096, [&](std::size_t i) {
     const VertexId first = mesh.triangles[shell[i]][0];
     above[i] = mesh.above[shell[i]];
-    if (above[i] == kNone) above[i] = atVertex[mesh.isCopy(first) ? mesh.copyOf(first).base : first];
+    if (above[i] == mesh::kNone) above[i] = atVertex[mesh.isCopy(first) ? mesh.copyOf(first).base : first];
   });
   return above;
 }
 
-}  // namespace thicken
+}  // namespace thicken::sweep

@@ -9,7 +9,7 @@
 
 #include "sweep/swept_mesh.h"
 
-namespace thicken {
+namespace thicken::sweep {
 
 /// A triangle of S at the base of every copy.
 [[nodiscard]] std::vector<TriangleId> trianglesAtCopies(const SweptMesh& mesh);
@@ -19,4 +19,4 @@ namespace thicken {
 [[nodiscard]] std::vector<TriangleId> trianglesAbove(std::span<const TriangleId> shell, const SweptMesh& mesh,
                                                      int threads);
 
-}  // namespace thicken
+}  // namespace thicken::sweep

@@ -13,7 +13,12 @@
 #include "parallel/parallel_for.h"
 #include "sweep/nearby.h"
 
-namespace thicken {
+namespace thicken::sweep {
+
+using measure::kShellSamples;
+using measure::OffsetError;
+using mesh::Buckets;
+using parallel::parallelFor;
 
 namespace {
 
@@ -77,28 +82,28 @@ std::vector<TriangleId> wholeTriangles(const SweptMesh& mesh) {
 // The triangles `shell` by their copies, as 3 · place in `shell` + corner.
 Buckets<std::uint32_t> cornersOfCopies(const SweptMesh& mesh, std::span<const TriangleId> shell,
                                        int threads) {
-  return intoBuckets<std::uint32_t>(shell.size(), mesh.copies.size(), threads,
-                                    [&](std::size_t i, const auto& put) {
-                                      for (std::uint32_t corner = 0; corner < 3; ++corner)
-                                        put(mesh.triangles[shell[i]][corner] - mesh.surfaceVertices,
-                                            3 * static_cast<std::uint32_t>(i) + corner);
-                                    });
+  return mesh::intoBuckets<std::uint32_t>(shell.size(), mesh.copies.size(), threads,
+                                          [&](std::size_t i, const auto& put) {
+                                            for (std::uint32_t corner = 0; corner < 3; ++corner)
+                                              put(mesh.triangles[shell[i]][corner] - mesh.surfaceVertices,
+                                                  3 * static_cast<std::uint32_t>(i) + corner);
+                                          });
 }
 
 }  // namespace
 
-void polish(SweptMesh& mesh, const Job& job, const OffsetError& error) {
+void polish(SweptMesh& mesh, const job::Job& job, const OffsetError& error) {
   const RunContext& context = job.context;
   const int threads = job.threads;
   const auto shell = wholeTriangles(mesh);
-  const std::size_t each = shellSamplesPerTriangle(shell.size());
+  const std::size_t each = measure::shellSamplesPerTriangle(shell.size());
   std::vector<Sample> samples(each * shell.size());
   std::vector<double> area(shell.size());  // twice
   const Buckets<std::uint32_t> corners = cornersOfCopies(mesh, shell, threads);
   const std::vector<TriangleId> above = trianglesAbove(shell, mesh, threads);
   parallelFor(samples.size(), threads, context, 8192,
               [&](std::size_t i) { samples[i].nearest = above[i / each]; });
-  SpatialOrder order(above, job.tree, threads);
+  bvh::SpatialOrder order(above, job.tree, threads);
   std::vector<Vec3> start(mesh.copies.size());
   parallelFor(start.size(), threads, context, 8192, [&](std::size_t i) { start[i] = mesh.copies[i].offset; });
   std::vector<std::uint8_t> open(shell.size(), 1);  // whether a triangle is looked at
@@ -109,7 +114,7 @@ void polish(SweptMesh& mesh, const Job& job, const OffsetError& error) {
       });
       order.eraseIf([&](std::uint32_t i) { return open[i] == 0; });
     }
-    order.query<kMostShellSamples>(
+    order.query<measure::kMostShellSamples>(
         job.tree, each, threads, context,
         [&](std::uint32_t i, std::size_t k, ClosestPointTree::Query& query) {
           const Triangle& t = mesh.triangles[shell[i]];
@@ -148,4 +153,4 @@ void polish(SweptMesh& mesh, const Job& job, const OffsetError& error) {
   }
 }
 
-}  // namespace thicken
+}  // namespace thicken::sweep

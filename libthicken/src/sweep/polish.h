@@ -8,10 +8,10 @@
 #include "measure/offset_error.h"
 #include "sweep/swept_mesh.h"
 
-namespace thicken {
+namespace thicken::sweep {
 
 /// Changes the offsets of copies of depth 1 by damped least squares over points of the shell: the sum
 /// of area·error² goes down. The depths must be set; copies are placed anew.
-void polish(SweptMesh& mesh, const Job& job, const OffsetError& error);
+void polish(SweptMesh& mesh, const job::Job& job, const measure::OffsetError& error);
 
-}  // namespace thicken
+}  // namespace thicken::sweep

@@ -6,7 +6,9 @@
 
 #include "mesh/sort_unique.h"
 
-namespace thicken {
+namespace thicken::sweep {
+
+using mesh::sortUnique;
 
 namespace {
 
@@ -146,4 +148,4 @@ void advance(SweptMesh& mesh, const CopyGraph& graph, ConflictTester& tester, st
   }
 }
 
-}  // namespace thicken
+}  // namespace thicken::sweep

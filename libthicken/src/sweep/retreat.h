@@ -13,7 +13,7 @@
 #include "sweep/swept_mesh.h"
 #include "thicken/run_context.h"
 
-namespace thicken {
+namespace thicken::sweep {
 
 struct RetreatResult {
   std::size_t rounds = 0;
@@ -36,4 +36,4 @@ struct RetreatResult {
 void advance(SweptMesh& mesh, const CopyGraph& graph, ConflictTester& tester, std::span<const double> goal,
              const RunContext& context);
 
-}  // namespace thicken
+}  // namespace thicken::sweep

@@ -13,7 +13,13 @@
 #include "mesh/sort_unique.h"
 #include "sweep/direction.h"
 
-namespace thicken {
+namespace thicken::sweep {
+
+using mesh::directedKey;
+using mesh::edgeKey;
+using mesh::EdgeSet;
+using mesh::sortUnique;
+using mesh::vertexTriangles;
 
 namespace {
 
@@ -100,7 +106,7 @@ class ShellSurgery::ShallowTest {
   double step_ = 0;
 };
 
-ShellSurgery::ShellSurgery(SweptMesh& mesh, const VertexTriangles& around)
+ShellSurgery::ShellSurgery(SweptMesh& mesh, const mesh::VertexTriangles& around)
     : mesh_(mesh), around_(around), uses_(vertexTriangles(mesh.positions.size(), mesh.triangles)) {}
 
 std::vector<std::uint32_t> ShellSurgery::copiesAmong(std::span<const VertexId> vertices) const {
@@ -155,14 +161,14 @@ std::vector<VertexId> ShellSurgery::findLoops(Hole& hole) const {
     for (int k = 0; k < 3; ++k)
       directed.insert(directedKey(mesh_.triangles[t][k], mesh_.triangles[t][(k + 1) % 3]));
   std::map<VertexId, VertexId> next;
-  std::vector<VertexId> pinched;
+  std::vector<VertexId> nonManifold;
   for (const TriangleId t : hole.removed)
     for (int k = 0; k < 3; ++k) {
       const VertexId a = mesh_.triangles[t][k], b = mesh_.triangles[t][(k + 1) % 3];
-      if (!directed.contains(directedKey(b, a)) && !next.emplace(a, b).second) pinched.push_back(a);
+      if (!directed.contains(directedKey(b, a)) && !next.emplace(a, b).second) nonManifold.push_back(a);
     }
   hole.loops.clear();
-  while (pinched.empty() && !next.empty()) {
+  while (nonManifold.empty() && !next.empty()) {
     Loop loop;
     for (auto at = next.begin(); at != next.end();) {
       loop.push_back(at->first);
@@ -172,7 +178,7 @@ std::vector<VertexId> ShellSurgery::findLoops(Hole& hole) const {
     }
     hole.loops.push_back(std::move(loop));
   }
-  return pinched;
+  return nonManifold;
 }
 
 // Opens the holes that dropping `copies` leaves. Returns false, with the copies of that hole in `around`, if
@@ -184,9 +190,9 @@ bool ShellSurgery::open(std::vector<std::uint32_t> copies, std::vector<Hole>& ho
     sortUnique(copies);
     holes = holesOf(copies);
     for (Hole& hole : holes) {
-      const auto pinched = findLoops(hole);
-      if (pinched.empty()) continue;
-      const auto inTheWay = copiesAmong(pinched);
+      const auto nonManifold = findLoops(hole);
+      if (nonManifold.empty()) continue;
+      const auto inTheWay = copiesAmong(nonManifold);
       if (inTheWay.empty()) {
         std::vector<VertexId> border;
         for (const TriangleId t : hole.removed)
@@ -266,8 +272,8 @@ bool ShellSurgery::triangulate(const Hole& hole, Patch& patch) const {
             edges.insert(edgeKey(mesh_.triangles[t][k], mesh_.triangles[t][(k + 1) % 3]));
   patch = {};
   for (const Loop& loop : hole.loops) {
-    const auto triangles = minimalAreaTriangulation(mesh_.positions, loop, edges,
-                                                    [&](const Triangle& t) { return test.allows(t); });
+    const auto triangles = mesh::minimalAreaTriangulation(mesh_.positions, loop, edges,
+                                                          [&](const Triangle& t) { return test.allows(t); });
     if (triangles.empty()) return false;
     for (const Triangle& t : triangles)
       for (int k = 0; k < 3; ++k) edges.insert(edgeKey(t[k], t[(k + 1) % 3]));
@@ -290,7 +296,7 @@ void ShellSurgery::apply(std::span<const Hole> holes, std::span<const Patch> pat
     }
     for (const Triangle& t : patch.triangles) {
       const bool shell = std::all_of(t.begin(), t.end(), [&](VertexId v) { return mesh_.isCopy(v); });
-      mesh_.add(t, shell ? Region::kShell : Region::kWall, kNone);
+      mesh_.add(t, shell ? Region::kShell : Region::kWall, mesh::kNone);
     }
   }
   uses_ = vertexTriangles(mesh_.positions.size(), mesh_.triangles);
@@ -327,4 +333,4 @@ std::vector<std::uint32_t> ShellSurgery::drop(std::vector<std::uint32_t> copies)
   return {};
 }
 
-}  // namespace thicken
+}  // namespace thicken::sweep

@@ -15,12 +15,12 @@
 #include "sweep/direction.h"
 #include "sweep/swept_mesh.h"
 
-namespace thicken {
+namespace thicken::sweep {
 
 class ShellSurgery {
  public:
   /// `around`: the triangles of S around its vertices.
-  ShellSurgery(SweptMesh& mesh, const VertexTriangles& around);
+  ShellSurgery(SweptMesh& mesh, const mesh::VertexTriangles& around);
 
   /// Puts one copy in the place of `copies`, which are connected, in the safest direction for the
   /// triangles that remain; copies around it that had no safe direction get one if they now can.
@@ -67,8 +67,8 @@ class ShellSurgery {
   [[nodiscard]] std::vector<std::uint32_t> copiesAmong(std::span<const VertexId> vertices) const;
 
   SweptMesh& mesh_;
-  const VertexTriangles& around_;
-  VertexTriangles uses_;
+  const mesh::VertexTriangles& around_;
+  mesh::VertexTriangles uses_;
 };
 
-}  // namespace thicken
+}  // namespace thicken::sweep

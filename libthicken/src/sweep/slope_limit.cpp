@@ -9,7 +9,9 @@
 #include "mesh/sort_unique.h"
 #include "parallel/parallel_for.h"
 
-namespace thicken {
+namespace thicken::sweep {
+
+using parallel::parallelFor;
 
 namespace {
 
@@ -20,19 +22,19 @@ constexpr std::size_t kGrain = 4096;  // copies that a thread takes at a time
 }  // namespace
 
 CopyGraph copyGraph(const SweptMesh& mesh, int threads) {
-  auto neighbours =
-      intoBuckets<std::uint32_t>(mesh.triangles.size() - mesh.surfaceTriangles, mesh.copies.size(), threads,
-                                 [&](std::size_t i, const auto& put) {
-                                   const Triangle& t = mesh.triangles[mesh.surfaceTriangles + i];
-                                   for (int k = 0; k < 3; ++k) {
-                                     const VertexId a = t[k], b = t[(k + 1) % 3];
-                                     if (!mesh.isCopy(a) || !mesh.isCopy(b)) continue;
-                                     const auto j = static_cast<std::uint32_t>(a - mesh.surfaceVertices);
-                                     const auto l = static_cast<std::uint32_t>(b - mesh.surfaceVertices);
-                                     put(j, l);
-                                     put(l, j);
-                                   }
-                                 });
+  auto neighbours = mesh::intoBuckets<std::uint32_t>(
+      mesh.triangles.size() - mesh.surfaceTriangles, mesh.copies.size(), threads,
+      [&](std::size_t i, const auto& put) {
+        const Triangle& t = mesh.triangles[mesh.surfaceTriangles + i];
+        for (int k = 0; k < 3; ++k) {
+          const VertexId a = t[k], b = t[(k + 1) % 3];
+          if (!mesh.isCopy(a) || !mesh.isCopy(b)) continue;
+          const auto j = static_cast<std::uint32_t>(a - mesh.surfaceVertices);
+          const auto l = static_cast<std::uint32_t>(b - mesh.surfaceVertices);
+          put(j, l);
+          put(l, j);
+        }
+      });
   // Each edge of two triangles comes twice: what is left of a bucket is moved to its front, then all
   // together.
   const std::vector<std::uint32_t>& first = neighbours.offset;
@@ -98,8 +100,8 @@ std::vector<std::uint32_t> limitSlope(SweptMesh& mesh, const CopyGraph& graph,
       open.emplace(wayOf(link.copy), link.copy);
     }
   }
-  sortUnique(lowered);
+  mesh::sortUnique(lowered);
   return lowered;
 }
 
-}  // namespace thicken
+}  // namespace thicken::sweep

@@ -10,7 +10,7 @@
 
 #include "sweep/swept_mesh.h"
 
-namespace thicken {
+namespace thicken::sweep {
 
 /// Copies joined by an edge of a shell triangle, as flat arrays.
 struct CopyGraph {
@@ -29,4 +29,4 @@ struct CopyGraph {
 std::vector<std::uint32_t> limitSlope(SweptMesh& mesh, const CopyGraph& graph,
                                       std::span<const std::uint32_t> from, int threads = 1);
 
-}  // namespace thicken
+}  // namespace thicken::sweep

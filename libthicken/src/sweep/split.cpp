@@ -11,7 +11,9 @@
 #include "exact/predicates.h"
 #include "exact/triangle_pair.h"
 
-namespace thicken {
+namespace thicken::sweep {
+
+using mesh::VertexTriangles;
 
 namespace {
 
@@ -238,7 +240,7 @@ void divide(SweptMesh& mesh, const Fan& fan, const Division& d, std::uint32_t id
   for (Triangle t : bridges(fan, d, v, a, b, [&](std::size_t i) { return copyOnRing.at(fan.ringAt(i)); })) {
     const bool wall = t[0] == v;
     if (sign < 0) std::swap(t[1], t[2]);
-    mesh.add(t, wall ? Region::kWall : Region::kShell, kNone);
+    mesh.add(t, wall ? Region::kWall : Region::kShell, mesh::kNone);
   }
   const auto aim = [&](Copy& c, const Sector& s) {
     c.offset = sign * mesh.thickness.at(v) * s.m;
@@ -254,8 +256,8 @@ void divide(SweptMesh& mesh, const Fan& fan, const Division& d, std::uint32_t id
 
 }  // namespace
 
-void markBlockedRimCopies(SweptMesh& mesh, const VertexTriangles& around, const Rim& rim) {
-  for (const RimEdge& e : rim.edges)
+void markBlockedRimCopies(SweptMesh& mesh, const VertexTriangles& around, const mesh::Rim& rim) {
+  for (const mesh::RimEdge& e : rim.edges)
     for (std::size_t shell = 0; shell < mesh.shells; ++shell) {
       Copy& c = mesh.copies[shell * mesh.surfaceVertices + e.from];
       const Fan fan = orderedFan(mesh, around.of(e.from), e.from);
@@ -268,7 +270,7 @@ std::vector<std::uint32_t> splitCopies(SweptMesh& mesh, std::span<const Vec3> fa
                                        const VertexTriangles& around, std::span<const std::uint32_t> ids) {
   std::vector<std::uint32_t> unserved;
   if (ids.empty()) return unserved;
-  const VertexTriangles uses = vertexTriangles(mesh.positions.size(), mesh.triangles);
+  const VertexTriangles uses = mesh::vertexTriangles(mesh.positions.size(), mesh.triangles);
   std::unordered_set<VertexId> divided;
   for (const std::uint32_t id : ids) {
     const VertexId v = mesh.copies[id].base;
@@ -290,4 +292,4 @@ std::vector<std::uint32_t> splitCopies(SweptMesh& mesh, std::span<const Vec3> fa
   return unserved;
 }
 
-}  // namespace thicken
+}  // namespace thicken::sweep

@@ -12,18 +12,18 @@
 #include "mesh/topology.h"
 #include "sweep/swept_mesh.h"
 
-namespace thicken {
+namespace thicken::sweep {
 
 /// Sets the safety of those copies on the rim to 0 that meet S however little they are moved: where
 /// the fan of an end of the rim winds above itself, the wall of the upper part would cut the lower.
 /// `mesh` must be fresh from sweepMesh.
-void markBlockedRimCopies(SweptMesh& mesh, const VertexTriangles& around, const Rim& rim);
+void markBlockedRimCopies(SweptMesh& mesh, const mesh::VertexTriangles& around, const mesh::Rim& rim);
 
 /// Splits the copies `ids` of `mesh` where some division of the fan passes
 /// exact tests next to the vertex, and takes the one with the safest directions. Returns the copies
 /// that no division serves.
 [[nodiscard]] std::vector<std::uint32_t> splitCopies(SweptMesh& mesh, std::span<const Vec3> faceNormal,
-                                                     const VertexTriangles& around,
+                                                     const mesh::VertexTriangles& around,
                                                      std::span<const std::uint32_t> ids);
 
-}  // namespace thicken
+}  // namespace thicken::sweep

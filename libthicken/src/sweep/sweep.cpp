@@ -30,7 +30,12 @@
 #include "sweep/swept_mesh.h"
 #include "thicken/error.h"
 
-namespace thicken {
+namespace thicken::sweep {
+
+using job::Job;
+using mesh::sortUnique;
+using mesh::VertexTriangles;
+using parallel::parallelFor;
 
 namespace {
 
@@ -166,7 +171,7 @@ double shareShort(SweptMesh& mesh, const CopyGraph& graph, const ConflictTester&
   double all = 0, isShort = 0;
   for (TriangleId t = 0; t < mesh.surfaceTriangles; ++t) {
     const Triangle& corners = mesh.triangles[t];
-    const double area = areaOf(mesh.positions, corners);
+    const double area = measure::areaOf(mesh.positions, corners);
     all += area;
     if (std::any_of(corners.begin(), corners.end(), [&](VertexId v) { return mesh.copies[v].depth < kFull; }))
       isShort += area;
@@ -268,7 +273,7 @@ struct Fans {
   std::vector<Vec3> normal;                     // per triangle
   std::vector<std::vector<OffsetPlane>> plane;  // per triangle, for each shell
   VertexTriangles around;
-  Rim rim;
+  mesh::Rim rim;
 };
 
 // Makes corners, and settles the copies; those that must draw back until their copies are one are no corners,
@@ -281,7 +286,8 @@ bool settleWithCorners(SweptMesh& mesh, const Job& job, const Fans& fans, std::v
   (void)corners.takeChanged();
   setInitialDepths(mesh, job);
   parallelFor(mesh.copies.size(), job.threads, job.context, 4096, [&](std::size_t i) { mesh.place(i); });
-  if (polishing == Polish::kYes) polish(mesh, job, OffsetError(job, fans.normal, around, Join::kMitre));
+  if (polishing == Polish::kYes)
+    polish(mesh, job, measure::OffsetError(job, fans.normal, around, Join::kMitre));
   std::vector<double> free;
   for (const Copy& c : mesh.copies) free.push_back(c.depth);
   for (int retries = 0;; ++retries) {
@@ -298,10 +304,10 @@ bool settleWithCorners(SweptMesh& mesh, const Job& job, const Fans& fans, std::v
 
 std::optional<SweepResult> sweepWith(const Job& job, Polish polishing, double mostShort) {
   const auto& [positions, triangles] = job.surface;
-  Fans fans{faceNormals(positions, triangles, job.threads),
+  Fans fans{mesh::faceNormals(positions, triangles, job.threads),
             {},
-            vertexTriangles(positions.size(), triangles, job.threads),
-            rimOf(positions.size(), triangles, job.threads)};
+            mesh::vertexTriangles(positions.size(), triangles, job.threads),
+            mesh::rimOf(positions.size(), triangles, job.threads)};
   std::vector<std::vector<SweepDirection>> direction;
   for (const double sign : {-1.0, 1.0}) {
     if (sign > 0 && job.options.side != Side::kBoth) break;
@@ -341,4 +347,4 @@ std::optional<SweepResult> sweepUnlessShort(const Job& job, double mostShort) {
   return sweepWith(job, Polish::kYes, mostShort);
 }
 
-}  // namespace thicken
+}  // namespace thicken::sweep

@@ -13,7 +13,11 @@
 #include "parallel/parallel_for.h"
 #include "sweep/nearby.h"
 
-namespace thicken {
+namespace thicken::sweep {
+
+using bvh::DistanceTree;
+using job::Job;
+using parallel::parallelFor;
 
 namespace {
 
@@ -27,7 +31,7 @@ struct Nearest {
 
 Nearest nearestToCopies(const SweptMesh& mesh, const Job& job) {
   Nearest nearest{std::vector<double>(mesh.copies.size(), kInfinite), trianglesAtCopies(mesh)};
-  SpatialOrder(nearest.triangle, job.tree, job.threads)
+  bvh::SpatialOrder(nearest.triangle, job.tree, job.threads)
       .query(
           job.tree, 1, job.threads, job.context,
           [&](std::uint32_t i, std::size_t, ClosestPointTree::Query& query) {
@@ -55,7 +59,7 @@ std::vector<double> depthsOf(const SweptMesh& mesh, std::span<const double> dist
   const DistanceTree shell(mesh.positions, std::span(mesh.triangles).subspan(mesh.surfaceTriangles));
   for (std::size_t v = 0; v < depth.size(); ++v)
     if (depth[v] == kInfinite) {
-      DistanceTree::Hit hit{{Vec3::Zero(), kInfinite, Feature::kFace, 0}, kNone};
+      DistanceTree::Hit hit{{Vec3::Zero(), kInfinite, Feature::kFace, 0}, mesh::kNone};
       shell.nearest(mesh.positions[v], hit);
       depth[v] = std::sqrt(hit.closest.squaredDistance);
     }
@@ -99,4 +103,4 @@ SweepResult resultOf(const SweptMesh& mesh, const Job& job) {
   return result;
 }
 
-}  // namespace thicken
+}  // namespace thicken::sweep

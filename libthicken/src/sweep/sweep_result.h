@@ -9,7 +9,7 @@
 #include "sweep/swept_mesh.h"
 #include "thicken/result.h"
 
-namespace thicken {
+namespace thicken::sweep {
 
 struct SweepResult {
   TriangleMesh mesh;                ///< S's vertices and triangles first (on kBoth: no triangles of S)
@@ -28,6 +28,6 @@ struct SweepResult {
 };
 
 /// Without dropped copies and what only they used. `mesh` and `job`: of one sweep.
-[[nodiscard]] SweepResult resultOf(const SweptMesh& mesh, const Job& job);
+[[nodiscard]] SweepResult resultOf(const SweptMesh& mesh, const job::Job& job);
 
-}  // namespace thicken
+}  // namespace thicken::sweep

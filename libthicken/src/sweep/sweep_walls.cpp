@@ -12,7 +12,9 @@
 #include "sweep/split.h"
 #include "sweep/swept_mesh.h"
 
-namespace thicken {
+namespace thicken::sweep {
+
+using job::Job;
 
 namespace {
 
@@ -55,9 +57,9 @@ bool settleWalls(SweptMesh& walls, const Job& job, std::size_t& rounds) {
 
 std::optional<SweepResult> sweepWalls(const Job& job) {
   const TriangleMesh& surface = job.surface;
-  const auto normal = faceNormals(surface.positions, surface.triangles, job.threads);
-  const auto around = vertexTriangles(surface.positions.size(), surface.triangles, job.threads);
-  const Rim rim = rimOf(surface.positions.size(), surface.triangles, job.threads);
+  const auto normal = mesh::faceNormals(surface.positions, surface.triangles, job.threads);
+  const auto around = mesh::vertexTriangles(surface.positions.size(), surface.triangles, job.threads);
+  const mesh::Rim rim = mesh::rimOf(surface.positions.size(), surface.triangles, job.threads);
   const std::vector<std::vector<SweepDirection>> direction{
       sweepDirections(job, normal, offsetPlanes(job, normal, -1), around, rim)};
   SweptMesh whole = sweepMesh(job, direction, rim);
@@ -76,7 +78,7 @@ std::optional<SweepResult> sweepWalls(const Job& job) {
   for (VertexId v = 0; v < walls.positions.size(); ++v)
     result.base.push_back(walls.isCopy(v) ? walls.copyOf(v).base : v);
   result.mesh.positions = std::move(walls.positions);
-  parallelFor(walls.copies.size(), job.threads, job.context, 512, [&](std::size_t i) {
+  parallel::parallelFor(walls.copies.size(), job.threads, job.context, 512, [&](std::size_t i) {
     if (walls.copies[i].dropped) return;
     const VertexId v = walls.vertexOf(i);
     result.distance[v] = job.tree.distance(result.mesh.positions[v]);
@@ -85,4 +87,4 @@ std::optional<SweepResult> sweepWalls(const Job& job) {
   return result;
 }
 
-}  // namespace thicken
+}  // namespace thicken::sweep

@@ -7,12 +7,12 @@
 
 #include "sweep/sweep.h"
 
-namespace thicken {
+namespace thicken::sweep {
 
 /// The sweep to the negative side with only S and the walls proved: the shell is there, at full depth, but
 /// nothing is known of it (`shellProved` is false; `distance` is 0 and `depth` the thickness where no wall
 /// hangs). nullopt where copies on the rim have no direction, or walls no clear depth, of their own; sweep()
 /// can do more about them.
-[[nodiscard]] std::optional<SweepResult> sweepWalls(const Job& job);
+[[nodiscard]] std::optional<SweepResult> sweepWalls(const job::Job& job);
 
-}  // namespace thicken
+}  // namespace thicken::sweep

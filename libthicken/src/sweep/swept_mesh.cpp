@@ -6,7 +6,12 @@
 #include "mesh/float_lattice.h"
 #include "parallel/parallel_for.h"
 
-namespace thicken {
+namespace thicken::sweep {
+
+using job::Job;
+using mesh::kNone;
+using mesh::RimEdge;
+using parallel::parallelFor;
 
 namespace {
 
@@ -59,7 +64,7 @@ void addWall(SweptMesh& mesh, const RimEdge& e, VertexId upper, VertexId lower) 
 
 void SweptMesh::place(std::size_t copy) {
   const Copy& c = copies[copy];
-  positions[vertexOf(copy)] = roundToFloat(positions[c.base] + c.depth * c.offset);
+  positions[vertexOf(copy)] = mesh::roundToFloat(positions[c.base] + c.depth * c.offset);
 }
 
 void SweptMesh::remove(std::span<const std::uint8_t> removed) {
@@ -77,7 +82,8 @@ void SweptMesh::remove(std::span<const std::uint8_t> removed) {
   region.resize(kept);
 }
 
-SweptMesh sweepMesh(const Job& job, std::span<const std::vector<SweepDirection>> direction, const Rim& rim) {
+SweptMesh sweepMesh(const Job& job, std::span<const std::vector<SweepDirection>> direction,
+                    const mesh::Rim& rim) {
   const TriangleMesh& surface = job.surface;
   SweptMesh mesh;
   mesh.thickness = job.thickness;
@@ -104,4 +110,4 @@ SweptMesh sweepMesh(const Job& job, std::span<const std::vector<SweepDirection>>
   return mesh;
 }
 
-}  // namespace thicken
+}  // namespace thicken::sweep

@@ -15,7 +15,7 @@
 #include "thicken/mesh.h"
 #include "thicken/result.h"
 
-namespace thicken {
+namespace thicken::sweep {
 
 /// A copy of a vertex of S: at depth h it stands at base + h·offset, rounded to float.
 struct Copy {
@@ -39,7 +39,7 @@ struct SweptMesh {
       above;                 ///< per triangle: of the shell, the one of S that it is parallel to; else kNone
   std::vector<Copy> copies;  ///< copy i is vertex surfaceVertices + i
   std::size_t shells = 1;    ///< 2 on both sides
-  Thickness thickness{0};
+  job::Thickness thickness{0};
 
   [[nodiscard]] bool isCopy(VertexId v) const { return v >= surfaceVertices; }
   [[nodiscard]] Copy& copyOf(VertexId v) { return copies[v - surfaceVertices]; }
@@ -61,7 +61,7 @@ struct SweptMesh {
 };
 
 /// The sweep of S to depth 1 on the negative side, or on both; `direction` for each of its shells.
-[[nodiscard]] SweptMesh sweepMesh(const Job& job, std::span<const std::vector<SweepDirection>> direction,
-                                  const Rim& rim);
+[[nodiscard]] SweptMesh sweepMesh(const job::Job& job, std::span<const std::vector<SweepDirection>> direction,
+                                  const mesh::Rim& rim);
 
-}  // namespace thicken
+}  // namespace thicken::sweep

@@ -7,12 +7,14 @@
 
 namespace thicken::trimming {
 
+using mesh::kNone;
+
 TooNarrow::TooNarrow(const Vec3& at) : std::runtime_error("too narrow"), place(at) {}
 
 DividedSurface::DividedSurface(const TriangleMesh& surface, int threads)
     : positions_(surface.positions),
       triangles_(surface.triangles),
-      across_(neighbours(surface.positions.size(), surface.triangles, threads)),
+      across_(mesh::neighbours(surface.positions.size(), surface.triangles, threads)),
       triangleAt_(surface.positions.size(), kNone),
       originals_(surface.triangles.size()) {
   for (TriangleId t = 0; t < triangles_.size(); ++t)

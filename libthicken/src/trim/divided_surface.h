@@ -22,7 +22,7 @@ struct TooNarrow : std::runtime_error {
 
 /// Edge `corner` of a triangle leads from that corner to the next.
 struct EdgeOf {
-  TriangleId triangle = kNone;
+  TriangleId triangle = mesh::kNone;
   int corner = 0;
 };
 

@@ -5,6 +5,9 @@
 #include <queue>
 
 namespace thicken::trimming {
+
+using mesh::kNone;
+
 namespace {
 
 struct Reached {

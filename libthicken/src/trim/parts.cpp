@@ -11,6 +11,8 @@
 
 namespace thicken::trimming {
 
+using mesh::kNone;
+
 Parts::Parts(const DividedSurface& surface, const PathMarks& marks,
              const std::vector<std::vector<VertexId>>& paths)
     : surface_(surface), partOf_(surface.triangles().size(), kNone) {

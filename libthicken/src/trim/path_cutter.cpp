@@ -17,6 +17,11 @@
 #include "trim/trim_line_error.h"
 
 namespace thicken::trimming {
+
+using mesh::kNone;
+using mesh::roundToFloat;
+using mesh::text;
+
 namespace {
 
 // So often the way between two points is halved, at vertices of the surface: enough for any that a person
@@ -50,7 +55,7 @@ Vec3 onSegment(const Vec3& a, const Vec3& b, const Vec3& p) {
 
 Ground::Ground(const TriangleMesh& s, int threads)
     : surface(s), tree(s, threads), whole(s, threads), floatStep(0), diagonal(0) {
-  const Bounds box = boundsOf(s);
+  const mesh::Bounds box = mesh::boundsOf(s);
   diagonal = (box.high - box.low).norm();
   const double farthest = std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
   floatStep = static_cast<double>(std::nextafter(static_cast<float>(farthest), INFINITY)) - farthest;

@@ -6,6 +6,9 @@
 #include <optional>
 
 namespace thicken::trimming {
+
+using mesh::kNone;
+
 namespace {
 
 // A cut that is longer than this many times the distance of its ends is no way between them: a half circle

@@ -15,20 +15,20 @@ namespace thicken::trimming {
 class PathMarks {
  public:
   void addVertex(VertexId v, std::size_t loop) { loopOf_.try_emplace(v, loop); }
-  void addEdge(VertexId a, VertexId b) { edges_.insert(edgeKey(a, b)); }
+  void addEdge(VertexId a, VertexId b) { edges_.insert(mesh::edgeKey(a, b)); }
   [[nodiscard]] bool hasVertex(VertexId v) const { return loopOf_.count(v) != 0; }
-  [[nodiscard]] bool hasEdge(VertexId a, VertexId b) const { return edges_.count(edgeKey(a, b)) != 0; }
+  [[nodiscard]] bool hasEdge(VertexId a, VertexId b) const { return edges_.count(mesh::edgeKey(a, b)) != 0; }
   [[nodiscard]] std::size_t loopOf(VertexId v) const { return loopOf_.at(v); }
 
  private:
   std::unordered_map<VertexId, std::size_t> loopOf_;
-  EdgeSet edges_;
+  mesh::EdgeSet edges_;
 };
 
 /// A corner of a way: a vertex, or the point `place` of the edge between two vertices.
 struct WayPoint {
-  VertexId vertex = kNone;
-  std::array<VertexId, 2> edge{kNone, kNone};
+  VertexId vertex = mesh::kNone;
+  std::array<VertexId, 2> edge{mesh::kNone, mesh::kNone};
   Vec3 place = Vec3::Zero();  ///< exact to the precision of double
 };
 
@@ -43,8 +43,8 @@ enum class WayEnd {
 struct Way {
   std::vector<WayPoint> points;  ///< without the first vertex
   WayEnd end = WayEnd::kStrays;
-  Vec3 place = Vec3::Zero();  ///< where it ended
-  VertexId met = kNone;       ///< with kCrosses and kTouches: a vertex of that path
+  Vec3 place = Vec3::Zero();   ///< where it ended
+  VertexId met = mesh::kNone;  ///< with kCrosses and kTouches: a vertex of that path
 };
 
 /// Follows the cut of `surface` with the plane through `from` and `to` along `up`, from `from` towards `to`.

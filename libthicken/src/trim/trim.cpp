@@ -17,6 +17,7 @@
 
 namespace thicken {
 
+using mesh::text;
 using trimming::CutPath;
 using trimming::Ground;
 using trimming::PathCutter;
@@ -61,7 +62,7 @@ SurfaceFacts requireSurface(const TriangleMesh& surface, const RunContext& conte
 TriangleMesh prepared(const TriangleMesh& surface, Precision precision, int threads) {
   if (precision == Precision::kDouble) return weld(surface, threads);
   TriangleMesh rounded = surface;
-  for (Vec3& p : rounded.positions) p = roundToFloat(p);
+  for (Vec3& p : rounded.positions) p = mesh::roundToFloat(p);
   return weld(rounded, threads);
 }
 
