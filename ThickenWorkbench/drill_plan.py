@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from .core.drain_places import cavities_of, places_for, ways_down
 from .core.drain_pools import HoleEnds, pools
+from .core.facets import doubled_normals
 from .numbers import number
 from .sources import RefusedError
 
@@ -117,7 +118,7 @@ def _first_of(drill: Drill, vertices, triangles, ways) -> tuple[dict[str, Any] |
 def _ways_in(vertices: NDArray, triangles: NDArray, point: NDArray, facet: int, diameter: float) -> list[NDArray]:
     """Against the mean normal of the surface within the hole, then against that of the facet itself."""
     corners = vertices[triangles]
-    doubled = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    doubled = doubled_normals(corners)
     own = doubled[facet] / np.linalg.norm(doubled[facet])
     close = np.linalg.norm(corners.mean(axis=1) - point, axis=1) < diameter / 2
     # Not the other side of a thin wall.

@@ -16,6 +16,7 @@ import FreeCAD as App
 import numpy as np
 
 from . import runs
+from .core.facets import areas_of
 from .regions import facet_regions
 from .sources import RefusedError, kind_of
 
@@ -138,7 +139,7 @@ def _at_points(values: NDArray, surface: tuple[NDArray, NDArray], closest: dict[
 
 def _summary(what: str, values: NDArray, vertices: NDArray, triangles: NDArray, placement: Any) -> ThicknessMap:
     corners = vertices[triangles]
-    areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
+    areas = areas_of(corners)
     known = np.flatnonzero(np.isfinite(values) & (areas > 0))
     if len(known) == 0:
         raise RefusedError("There is no facet at which this could be measured.")

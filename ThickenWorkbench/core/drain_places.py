@@ -8,6 +8,8 @@ from typing import Any, Iterator, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from .facets import doubled_normals
+
 # Places that are tried for one hole before it is given up: so many close to the best, as many again
 # further apart.
 _MOST_CANDIDATES = 30
@@ -76,7 +78,7 @@ def ways_down(
     the floor, which a steep floor allows more often."""
     corners = vertices[cavity.triangles]
     middles = corners.mean(axis=1)
-    doubled = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    doubled = doubled_normals(corners)
     slanted = []
     for place in places:
         distance = np.linalg.norm(middles - place, axis=1)
@@ -90,7 +92,7 @@ def ways_down(
 def _floor(vertices: NDArray, cavity: Cavity, up: NDArray, diameter: float) -> tuple[NDArray, NDArray]:
     """Points of the floor of a cavity, and which of them are lower than all around them."""
     corners = vertices[cavity.triangles]
-    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normals = doubled_normals(corners)
     lengths = np.maximum(np.linalg.norm(normals, axis=1), 1e-300)
     floor = normals @ up > _LEAST_COSINE * lengths
     ids = np.unique(cavity.triangles)

@@ -9,6 +9,8 @@ import numpy as np
 
 from thicken import native
 
+from .facets import areas_of, doubled_normals
+
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
@@ -33,8 +35,8 @@ def found_again(chosen: NDArray, vertices: NDArray, triangles: NDArray) -> Found
         others = np.flatnonzero(~same)
         corners = np.asarray(vertices, float)[np.asarray(triangles)[others]]
         same[others[_lie_on(corners, np.asarray(chosen, float)[missing])]] = True
-    area = _areas(np.asarray(vertices, float)[np.asarray(triangles)[same]]).sum()
-    whole = _areas(np.asarray(chosen, float)).sum()
+    area = areas_of(np.asarray(vertices, float)[np.asarray(triangles)[same]]).sum()
+    whole = areas_of(np.asarray(chosen, float)).sum()
     return Found(np.flatnonzero(same), 1.0 if not missing.any() else min(1.0, float(area / max(whole, 1e-300))))
 
 
@@ -61,15 +63,6 @@ def _lie_on(corners: NDArray, chosen: NDArray) -> NDArray[np.bool_]:
     return (beside <= _BESIDE * edge) & (np.abs(above) <= _ABOVE * edge) & faces_same_way
 
 
-def _doubled(corners: NDArray) -> NDArray:
-    """Normals as long as twice the area."""
-    return np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-
-
 def _normals(corners: NDArray) -> NDArray:
-    normals = _doubled(corners)
+    normals = doubled_normals(corners)
     return normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-300)
-
-
-def _areas(corners: NDArray) -> NDArray:
-    return np.linalg.norm(_doubled(corners), axis=1) / 2

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from .facets import doubled_normals, edges_of
+
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
@@ -16,7 +18,7 @@ class SmoothPatches:
 
     def __init__(self, vertices: ArrayLike, triangles: ArrayLike) -> None:
         corners = np.asarray(vertices, float)[np.asarray(triangles)]
-        normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        normals = doubled_normals(corners)
         lengths = np.linalg.norm(normals, axis=1, keepdims=True)
         self._normals = np.divide(normals, lengths, out=np.zeros_like(normals), where=lengths > 0)
         self._count = len(corners)
@@ -100,7 +102,7 @@ def _distances(point: NDArray, corners: NDArray) -> NDArray[np.float64]:
 
 def _neighbours(triangles: NDArray[np.int64]) -> NDArray[np.int64]:
     """Pairs of facets with an edge in common; at an edge of more than two, each with the next."""
-    edges = np.sort(np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]]), axis=1)
+    edges = edges_of(triangles)
     owners = np.tile(np.arange(len(triangles)), 3)
     order = np.lexsort((edges[:, 1], edges[:, 0]))
     edges, owners = edges[order], owners[order]

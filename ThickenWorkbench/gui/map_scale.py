@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..core.facets import areas_of
 from ..mesh_io import arrays_from_mesh
 
 _BINS = 40
@@ -54,8 +55,7 @@ def shares(feature: Any, found: Any, low: float, high: float) -> tuple[NDArray, 
 
 def area_shares(vertices: NDArray, triangles: NDArray, facet_values: NDArray, low: float, high: float) -> tuple[NDArray, NDArray]:
     """The same of values of the facets of any mesh; NaN is not measured."""
-    corners = vertices[triangles].astype(float)
-    areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
+    areas = areas_of(vertices[triangles].astype(float))
     known = np.isfinite(facet_values)
     if not high > low:  # one value: a step around it
         low, high = low - 1e-6 * max(abs(low), 1.0), high + 1e-6 * max(abs(high), 1.0)

@@ -10,6 +10,7 @@ import FreeCADGui as Gui
 import numpy as np
 
 from .. import build, preferences
+from ..core.facets import areas_of, edges_of
 from ..core.patches import Brush
 from ..core.thickness_field import blended, region_weights
 from ..numbers import number
@@ -61,8 +62,7 @@ class RegionsPanel(FeaturePanel):
         # since the field was computed
         self._painted = np.zeros(len(self.region_of), bool)
         self._removed = np.zeros(len(self.region_of), bool)
-        corners = np.asarray(self._surface[0], float)[self._surface[1]]
-        self._areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
+        self._areas = areas_of(np.asarray(self._surface[0], float)[self._surface[1]])
         self._outlines: list[Any] = []
         self._timer = QtCore.QTimer()
         self._timer.setSingleShot(True)
@@ -280,6 +280,5 @@ class RegionsPanel(FeaturePanel):
 
 def _outline(triangles: np.ndarray) -> np.ndarray:
     """The edges, k × 2, that only one of the triangles has."""
-    edges = np.sort(np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]]), axis=1)
-    found, counts = np.unique(edges, axis=0, return_counts=True)
+    found, counts = np.unique(edges_of(triangles), axis=0, return_counts=True)
     return found[counts == 1]

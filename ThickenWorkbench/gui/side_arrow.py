@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .. import preferences
+from ..core.facets import doubled_normals
 from .overlay import arrow, over_object
 from .view_clicks import Unselect
 
@@ -86,7 +87,7 @@ def _place(vertices: np.ndarray, triangles: np.ndarray) -> tuple[np.ndarray, np.
     """The middle of the triangle nearest to the middle of the surface, its normal, and the diagonal."""
     corners = vertices[triangles]
     centres = corners.mean(1)
-    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normals = doubled_normals(corners)
     areas = np.linalg.norm(normals, axis=1)
     box = np.ptp(corners.reshape(-1, 3), axis=0)
     off = np.linalg.norm(centres - np.average(centres, axis=0, weights=np.maximum(areas, 1e-30)), axis=1)
