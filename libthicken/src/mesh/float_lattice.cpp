@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "mesh/float_lattice.h"
 
+#include <algorithm>
+
 namespace thicken::mesh {
 namespace {
 
@@ -18,5 +20,7 @@ Vec3 roundToFloat(const Vec3& p) {
 bool isFloat(const Vec3& p) {
   return roundToFloat(p) == p;
 }
+
+Lattice::Lattice(std::span<const Vec3> positions) : hasFloats_(std::ranges::all_of(positions, isFloat)) {}
 
 }  // namespace thicken::mesh

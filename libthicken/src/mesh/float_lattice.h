@@ -4,6 +4,8 @@
 // g++ 12.2 at -O2 drops (double)(float)x in vectorised code.
 #pragma once
 
+#include <span>
+
 #include "thicken/mesh.h"
 
 namespace thicken::mesh {
@@ -13,5 +15,15 @@ namespace thicken::mesh {
 
 /// Whether every coordinate of `p` is a float value.
 [[nodiscard]] bool isFloat(const Vec3& p);
+
+/// Where new vertices of a mesh lie: on float values if all that it has do, else anywhere.
+class Lattice {
+ public:
+  explicit Lattice(std::span<const Vec3> positions);
+  [[nodiscard]] Vec3 nearest(const Vec3& p) const { return hasFloats_ ? roundToFloat(p) : p; }
+
+ private:
+  bool hasFloats_;
+};
 
 }  // namespace thicken::mesh

@@ -26,7 +26,7 @@ class Filling {
         rim_(openRimsOf(piece, threads)),
         additions_(piece, threads),
         around_(mesh::vertexTriangles(piece.mesh.positions.size(), piece.mesh.triangles)),
-        floats_(std::all_of(piece.mesh.positions.begin(), piece.mesh.positions.end(), mesh::isFloat)) {}
+        lattice_(piece.mesh.positions) {}
 
   void run(double longest, const RunContext& context) {
     for (std::size_t i = 0; i < rim_.loops(); ++i) {
@@ -66,8 +66,7 @@ class Filling {
       PatchShape shape(at(), plain, size_, taken);
       shape.refine(kMostTriangles);
       if (fair) shape.fair(beside_);
-      if (floats_)
-        for (std::size_t v = before; v < at().size(); ++v) at()[v] = mesh::roundToFloat(at()[v]);
+      for (std::size_t v = before; v < at().size(); ++v) at()[v] = lattice_.nearest(at()[v]);
       if (additions_.fits(shape.triangles())) {
         additions_.add(shape.triangles(), RepairKind::kFilled);
         return true;
@@ -100,7 +99,7 @@ class Filling {
   mesh::Rim rim_;
   Additions additions_;
   mesh::VertexTriangles around_;  // of what was there before
-  bool floats_;
+  mesh::Lattice lattice_;
   std::unordered_map<VertexId, std::vector<VertexId>> beside_;
   std::unordered_map<VertexId, double> size_;  // mm
 };

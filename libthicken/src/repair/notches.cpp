@@ -28,19 +28,23 @@ constexpr std::array kClear{0.75, 0.5};
 // came back (opensim_goalie, bff_face, cgal_mannequin-devil: bench/repair_table.py).
 constexpr double kTaken = 2.0 / 3;
 
+bool isOfAHole(const Workpiece& piece, TriangleId t) {
+  return piece.present[t] == 0 && leavesAHole(piece.reason[t]);
+}
+
 class Notches {
  public:
   Notches(Workpiece& piece, int threads)
       : piece_(piece),
         edges_(piece.mesh.positions.size(), piece.mesh.triangles, piece.present),
         tree_(piece.mesh.positions, piece.mesh.triangles, threads, piece.present),
-        floats_(std::all_of(piece.mesh.positions.begin(), piece.mesh.positions.end(), mesh::isFloat)) {}
+        lattice_(piece.mesh.positions) {}
 
   double fill() {
     double area = 0;
     const auto count = static_cast<TriangleId>(piece_.mesh.triangles.size());
     for (TriangleId t = 0; t < count; ++t)
-      if (piece_.present[t] == 0 && leavesAHole(piece_.reason[t])) area += shareOf(t) * piece_.area(t);
+      if (isOfAHole(piece_, t)) area += shareOf(t) * piece_.area(t);
     return area;
   }
 
@@ -75,7 +79,7 @@ class Notches {
   VertexId addCorner(const Triangle& whole, double share) {
     auto& at = piece_.mesh.positions;
     const Vec3 point = at[whole[0]] + share * (0.5 * (at[whole[1]] + at[whole[2]]) - at[whole[0]]);
-    at.push_back(floats_ ? mesh::roundToFloat(point) : point);
+    at.push_back(lattice_.nearest(point));
     return static_cast<VertexId>(at.size() - 1);
   }
 
@@ -96,7 +100,10 @@ class Notches {
     const bool alike = std::all_of(parts.begin(), parts.end(), [&](const Triangle& part) {
       return exact::orientation2(at[part[0]], at[part[1]], at[part[2]], facing.axis) == facing.sign;
     });
-    if (!alike || !isClear(parts[0]) || !isClear(parts[1])) return false;
+    if (!alike || !isClear(parts[0]) || !isClear(parts[1])) {
+      piece_.mesh.positions.pop_back();
+      return false;
+    }
     const RepairKind why = piece_.reason[t];
     for (const Triangle& part : parts) piece_.addPart(part, t);
     piece_.remove(static_cast<TriangleId>(piece_.mesh.triangles.size() - 1), why);
@@ -119,7 +126,7 @@ class Notches {
   Workpiece& piece_;
   mesh::HalfEdges edges_;
   exact::BoxTree tree_;
-  bool floats_;
+  mesh::Lattice lattice_;
   std::vector<Part> back_;
   mesh::EdgeSet taken_;  // edges that a part has
 };
@@ -132,7 +139,9 @@ bool leavesAHole(RepairKind why) {
 }
 
 double fillNotches(Workpiece& piece, int threads) {
-  return Notches(piece, threads).fill();
+  for (TriangleId t = 0; t < piece.present.size(); ++t)
+    if (isOfAHole(piece, t)) return Notches(piece, threads).fill();
+  return 0;
 }
 
 }  // namespace thicken::repairing

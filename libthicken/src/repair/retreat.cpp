@@ -18,10 +18,7 @@ constexpr double kCut = 0.25;
 class Retreat {
  public:
   Retreat(Workpiece& piece, const GivenUp& given, RepairKind why)
-      : piece_(piece),
-        given_(given),
-        why_(why),
-        floats_(std::all_of(piece.mesh.positions.begin(), piece.mesh.positions.end(), mesh::isFloat)) {}
+      : piece_(piece), given_(given), why_(why), lattice_(piece.mesh.positions) {}
 
   void run() {
     const auto count = static_cast<TriangleId>(given_.corner.size() / 3);
@@ -46,7 +43,7 @@ class Retreat {
       const Vec3 &p = piece_.mesh.positions[from], &q = piece_.mesh.positions[to];
       const Vec3 point = p + kCut * (q - p);
       it->second = static_cast<VertexId>(piece_.mesh.positions.size());
-      piece_.mesh.positions.push_back(floats_ ? mesh::roundToFloat(point) : point);
+      piece_.mesh.positions.push_back(lattice_.nearest(point));
     }
     return it->second;
   }
@@ -130,7 +127,7 @@ class Retreat {
   Workpiece& piece_;
   const GivenUp& given_;
   RepairKind why_;
-  bool floats_;
+  mesh::Lattice lattice_;
   std::map<std::pair<VertexId, VertexId>, VertexId> points_;
 };
 
