@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "job/thickness.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <queue>
@@ -9,20 +8,14 @@
 
 #include "job/rim_profile.h"
 #include "mesh/topology.h"
+#include "mesh/vertex_values.h"
 #include "parallel/parallel_for.h"
 
 namespace thicken::job {
 
-namespace {
+using mesh::slopeOver;
 
-// The slope over a triangle of values at its corners.
-Vec3 slopeOver(const TriangleMesh& surface, const Triangle& t, std::span<const double> r) {
-  const Vec3& p = surface.positions[t[0]];
-  const Vec3 u = surface.positions[t[1]] - p, v = surface.positions[t[2]] - p, n = u.cross(v);
-  const double area2 = n.squaredNorm();
-  if (!(area2 > 0)) return Vec3::Zero();
-  return ((r[t[1]] - r[t[0]]) * v.cross(n) + (r[t[2]] - r[t[0]]) * n.cross(u)) / area2;
-}
+namespace {
 
 // Lowers values until no triangle is steeper than kSteepest, lowest triangles first: what is low stays.
 // Returns how many it lowered.

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <optional>
 #include <unordered_map>
@@ -25,19 +26,22 @@ struct PlaceHash {
 
 // The value at a point of a triangle, linear over it; of one without area, that of a corner.
 double valueOn(const TriangleMesh& mesh, std::span<const double> values, const ClosestPoint& c) {
-  const auto& [i, j, k] = mesh.triangles[c.triangle];
-  const Vec3& p = mesh.positions[i];
-  const Vec3 u = mesh.positions[j] - p, v = mesh.positions[k] - p, w = c.point - p;
-  const double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), area2 = uu * vv - uv * uv;
-  if (!(area2 > 0)) return values[mesh.triangles[c.triangle][c.corner]];
-  const double alongU = (vv * u.dot(w) - uv * v.dot(w)) / area2,
-               alongV = (uu * v.dot(w) - uv * u.dot(w)) / area2;
-  const auto [least, most] = std::minmax({values[i], values[j], values[k]});
-  return std::clamp(values[i] + alongU * (values[j] - values[i]) + alongV * (values[k] - values[i]), least,
-                    most);
+  const Triangle& t = mesh.triangles[c.triangle];
+  const VertexId near = t[c.corner];
+  const auto [least, most] = std::minmax({values[t[0]], values[t[1]], values[t[2]]});
+  const double change = slopeOver(mesh, t, values).dot(c.point - mesh.positions[near]);
+  return std::clamp(values[near] + change, least, most);
 }
 
 }  // namespace
+
+Vec3 slopeOver(const TriangleMesh& mesh, const Triangle& t, std::span<const double> values) {
+  const Vec3& p = mesh.positions[t[0]];
+  const Vec3 u = mesh.positions[t[1]] - p, v = mesh.positions[t[2]] - p, n = u.cross(v);
+  const double area2 = n.squaredNorm();
+  if (!(area2 > 0)) return Vec3::Zero();
+  return ((values[t[1]] - values[t[0]]) * v.cross(n) + (values[t[2]] - values[t[0]]) * n.cross(u)) / area2;
+}
 
 std::vector<double> valuesAt(const TriangleMesh& from, std::span<const double> values, const TriangleMesh& to,
                              std::string_view what) {

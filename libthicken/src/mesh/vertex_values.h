@@ -12,6 +12,10 @@
 
 namespace thicken::mesh {
 
+/// The way along a triangle that values of its vertices, linear over it, grow fastest, by so much per mm; 0
+/// without an area.
+[[nodiscard]] Vec3 slopeOver(const TriangleMesh& mesh, const Triangle& t, std::span<const double> values);
+
 /// For each vertex of `to` the value of the vertex of `from` in the same place; of a new one, as where a
 /// repair divided a triangle or filled a hole, that of the closest point of `from`, linear over its triangle.
 /// Throws kInvalidArgument, with `what` the values are, where vertices in one place have different ones.
