@@ -10,6 +10,7 @@
 #include "analytic_surfaces.h"
 #include "job/thickness.h"
 #include "plain_shapes.h"
+#include "refusals.h"
 #include "thicken/error.h"
 #include "thicken/thicken.h"
 
@@ -52,16 +53,6 @@ double asked(double r, double d, const Profile& profile) {
     r -= *profile.round * (1 - std::sin(angle));
   }
   return r;
-}
-
-std::string refusalOf(const TriangleMesh& surface, const Options& options) {
-  try {
-    (void)thicken(surface, options);
-  } catch (const Error& e) {
-    EXPECT_EQ(e.code(), ErrorCode::kInvalidArgument);
-    return e.what();
-  }
-  return {};
 }
 
 bool warnsOf(const Solid& solid, const std::string& words) {

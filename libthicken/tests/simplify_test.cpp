@@ -294,19 +294,19 @@ TEST(LinkedMesh, TurnsEdgesAndStaysClosed) {
     for (int k = 0; k < 3; ++k) EXPECT_EQ(links.neighbour(t, k), fresh.neighbour(t, k));
 }
 
+TriangleMesh tetrahedron() {
+  return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+}
+
 TEST(LinkedMesh, TurnsNoEdgeOfATetrahedron) {
-  TriangleMesh mesh;
-  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  TriangleMesh mesh = tetrahedron();
   const LinkedMesh links(mesh.positions.size(), mesh.triangles, 1);
   for (TriangleId t = 0; t < 4; ++t)
     for (int k = 0; k < 3; ++k) EXPECT_FALSE(links.canTurn(t, k));
 }
 
 TEST(LinkedMesh, CollapsesNoTetrahedronAndNoNeck) {
-  TriangleMesh mesh;
-  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  TriangleMesh mesh = tetrahedron();
   LinkedMesh links(mesh.positions.size(), mesh.triangles, 1);
   ASSERT_TRUE(links.isClosedManifold());
   std::vector<TriangleId> starA, starB;

@@ -12,6 +12,7 @@
 #include "measure/error_bound.h"
 #include "mesh/vertex_values.h"
 #include "plain_shapes.h"
+#include "refusals.h"
 #include "thicken/error.h"
 #include "thicken/thicken.h"
 
@@ -44,16 +45,6 @@ Options plain(Method method = Method::kAuto) {
   options.thickness = kR;
   options.method = method;
   return options;
-}
-
-std::string refusalOf(const TriangleMesh& surface, const Options& options) {
-  try {
-    (void)thicken(surface, options);
-  } catch (const Error& e) {
-    EXPECT_EQ(e.code(), ErrorCode::kInvalidArgument);
-    return e.what();
-  }
-  return {};
 }
 
 // Of the vertices of the shell, but for those whose closest point is on the rim.
